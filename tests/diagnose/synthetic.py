@@ -20,7 +20,7 @@ def rows_of_numbers(count: int, sigma: Floats, unresolved: Floats, correlation: 
     blocks = np.arange(count).reshape(10, -1)[:, 1:-1]
     return Rows(
         load("puma560_3dof", warn=lambda _: None), (), blocks, np.full(n, 0.01), unresolved, 0.01 * sigma,
-        sigma, np.full(n, correlation), np.full(n, 2.0),
+        sigma, np.full(n, correlation), np.full(n, 2.0), np.full(n, 0.01),
     )  # fmt: skip
 
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from statistics import NormalDist
 
+import numpy as np
 import pytest
 
 from robodyn.diagnose.refit import _with_estimates, without_vague_claim
 from robodyn.diagnose.result import Estimate, Finding
+from robodyn.diagnose.select.compare import ahead
 from robodyn.diagnose.select.limits import ODDS
 from robodyn.diagnose.select.odds import odds
 
@@ -37,8 +40,20 @@ def test_odds_are_shared_with_rivals() -> None:
     assert odds([(0.0, 0.0)], 0.9) == pytest.approx(alone / 2)  # the log cannot tell them apart
     assert odds([(0.0, 0.0)] * 3, 0.9) == pytest.approx(alone / 4)
     assert odds([(0.0, 1.0)], 0.9) == pytest.approx(alone / (1 + math.exp(-1)))  # one number more, a nat
+    behind = NormalDist().cdf(-2.0)
+    assert odds([(2.0, 0.0)], 0.9) == pytest.approx(alone * (1 - behind))  # the odds that it is no worse
     # A rival that is ahead, and one that is simpler, counts as one that is level.
     assert odds([(-3.0, -2.0)], 0.9) == odds([(0.0, 0.0)], 0.9)
+
+
+def test_what_blocks_say_is_held_against_signs_that_are_drawn() -> None:
+    """Blocks tell unlike amounts: ten that all say the same are sure, whatever one of them says more."""
+    every = NormalDist().inv_cdf(1 - 1 / 1024)
+    assert ahead(np.array([100.0, *[2.0] * 9])) == pytest.approx(every)
+    assert ahead(np.full(10, 5.0)) == pytest.approx(every)
+    assert ahead(np.array([100.0, *[-2.0] * 9])) < 0.1  # one alone, against all others
+    assert ahead(np.full(10, 0.01)) == pytest.approx(0.1)  # a tenth of a nat is none
+    assert ahead(-np.full(10, 5.0)) < -3
 
 
 def test_the_more_is_left_the_less_sure_is_a_name() -> None:

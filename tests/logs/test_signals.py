@@ -9,7 +9,7 @@ from identify.exact import motion
 from robodyn.gate.gate import inspect
 from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
-from robodyn.logs.signals import low_pass, signals_of, thinning
+from robodyn.logs.signals import low_pass, rates, signals_of, thinning
 from robodyn.robot import load
 
 RATE, CUTOFF = 1000.0, 15.0
@@ -65,3 +65,13 @@ def test_where_only_noise_is_above_the_cutoff_the_filter_stays() -> None:
     log = Log(t, q, None, None, np.zeros_like(q))
     plain, wide = (signals_of(log, cutoff=CUTOFF, wider=wider).qdd for wider in (1.0, 3.0))
     assert np.std(wide) < 1.2 * np.std(plain)
+
+
+def test_rates_of_a_motion_that_is_sampled_coarsely() -> None:
+    """3 Hz at 200 Hz: by differences of second order accelerations would be 0.3 % too small."""
+    t, w = np.arange(400) / 200, 2 * np.pi * 3
+    q = np.stack([np.sin(w * t), np.cos(w * t)], axis=1)
+    qdd = rates(rates(q, 1 / 200), 1 / 200)[8:-8]
+    assert np.abs(qdd + w**2 * q[8:-8]).max() < 4e-5 * w**2
+    for k in range(1, 5):
+        assert rates(np.arange(float(k))[:, None], 0.5).ravel().tolist() == [2.0 if k > 1 else 0.0] * k

@@ -20,8 +20,9 @@ from robodyn.diagnose.findings import findings_of
 from robodyn.diagnose.judgement import Lacking
 from robodyn.diagnose.refit import no_worse
 from robodyn.diagnose.select.contact import Touched, beyond, overlap, standing, within
+from robodyn.diagnose.select.outcome import Outcome
 from robodyn.diagnose.select.scope import Scope
-from robodyn.diagnose.select.search import Outcome, search
+from robodyn.diagnose.select.search import search
 from robodyn.diagnose.settle import Logs, Settled, settled
 from robodyn.identify.contact.contact import contacts
 from robodyn.robot.model import Robot

@@ -10,7 +10,7 @@ from robodyn.counts.count import Count, count
 from robodyn.diagnose.limits import MOST_TRIED
 from robodyn.diagnose.result import Finding, Tried, Window
 from robodyn.diagnose.select.limits import PRACTICAL
-from robodyn.diagnose.select.search import Outcome
+from robodyn.diagnose.select.outcome import Outcome
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.robot.model import Robot

@@ -10,10 +10,10 @@ from robodyn.diagnose.refit import without_vague_claim
 from robodyn.diagnose.result import Estimate, Finding, Rival
 from robodyn.diagnose.select.compare import ahead, overlap, special_cases
 from robodyn.diagnose.select.errors import Sure, body_parameters, sureness
-from robodyn.diagnose.select.limits import OVERLAP, RIVAL, RIVAL_FAR, RIVAL_LEAST
+from robodyn.diagnose.select.limits import OVERLAP, RIVAL, RIVAL_LEAST
 from robodyn.diagnose.select.odds import odds
+from robodyn.diagnose.select.outcome import Found, Outcome
 from robodyn.diagnose.select.score import Trial
-from robodyn.diagnose.select.search import Found, Outcome
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.robot.model import Robot
 
@@ -58,9 +58,10 @@ def _finding(robot: Robot, outcome: Outcome, one: Found, sure: Sure) -> Finding:
 def rivals_of(one: Found) -> list[tuple[Rival, float, float]]:
     """Other candidates in the place of what was found, by how many standard errors they foretell less, the
     nearest first, and how many more numbers they have. A law that has the name as a special case is none, nor
-    is the same body."""
+    one that foretells no more than its own special case; nor is the same body."""
     trial, (id, joint) = one.trial, one.member.key
     found: dict[tuple[str, int | None], tuple[Rival, float, float]] = {}
+    plain = [each for each in one.beside if each.is_possible and not each.family.second]
     for other in one.beside:
         first = other.family.first
         key = other.family.key
@@ -72,20 +73,21 @@ def rivals_of(one: Found) -> list[tuple[Rival, float, float]]:
             or other.gain < RIVAL_LEAST * trial.gain
             or overlap(other, trial) < OVERLAP
             or (key[1] == joint and id in special_cases(key[0]))
+            or any(_is_no_more(other, each) for each in plain)
             or _is_same_body(one, other)
         ):
             continue
         z = ahead(trial.gains - other.gains)
-        if z < RIVAL_FAR:
-            rival = Rival(
-                first.effect,
-                first.joint,
-                other.gain,
-                tuple(map(float, other.gains)),
-                why_not(other, trial, z),
-            )
-            found[key] = rival, z, other.family.order - trial.family.order
+        gains = tuple(map(float, other.gains))
+        rival = Rival(first.effect, first.joint, other.gain, gains, why_not(other, trial, z))
+        found[key] = rival, z, other.family.order - trial.family.order
     return sorted(found.values(), key=lambda each: each[1])
+
+
+def _is_no_more(one: Trial, plain: Trial) -> bool:
+    """Whether a law foretells no more than a ``plain`` one that it has as a special case."""
+    (id, joint), (simple, at) = one.family.key, plain.family.key
+    return joint == at and simple in special_cases(id) and ahead(one.gains - plain.gains) <= 1
 
 
 def _is_same_body(one: Found, other: Trial) -> bool:

@@ -18,8 +18,8 @@ from robodyn.diagnose.select.limits import (
     STRUCTURE_LAGS,
 )
 from robodyn.diagnose.select.noise import rest_of
+from robodyn.diagnose.select.outcome import Outcome
 from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
-from robodyn.diagnose.select.search import Outcome
 from robodyn.gate.gate import Gate
 from robodyn.identify.predict import lacking
 from robodyn.robot.model import Robot
@@ -99,11 +99,11 @@ def _beyond_set(rows: Rows, left: Floats) -> Floats:
 
 
 def explained(outcome: Outcome) -> Floats:
-    """The share [n] of the RMS at each joint that all names together explain; rows at rest as their set
-    says."""
+    """The share [n] of what is beyond the sensors' noise at each joint (RMS) that all names together
+    explain."""
     rows = outcome.fit.model.rows
-    left, before = (np.mean(_beyond_set(rows, one.rest) ** 2, axis=0) for one in (outcome.fit, outcome.begun))
-    return np.asarray(1 - np.sqrt(left / np.maximum(before, 1e-300)))
+    left, before = (excess(rows, one.rest) for one in (outcome.fit, outcome.begun))
+    return np.asarray(1 - left / np.maximum(before, 1e-300))
 
 
 def standing(findings: Sequence[Finding], outcome: Outcome) -> tuple[Finding, ...]:

@@ -21,8 +21,8 @@ from robodyn.diagnose.refit import (
 from robodyn.diagnose.result import Finding, Gap, Verdict
 from robodyn.diagnose.select.contact import Touched, contact_findings
 from robodyn.diagnose.select.encoders import elastic_findings, elasticity, stiff_words
+from robodyn.diagnose.select.outcome import Outcome
 from robodyn.diagnose.select.scope import Scope
-from robodyn.diagnose.select.search import Outcome
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.contact.contact import without

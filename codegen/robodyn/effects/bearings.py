@@ -240,7 +240,7 @@ TRANSMISSION = Effect(
     traits=Traits(
         one_way="nearly",
         candidates=(
-            Law(_loss_columns, (1, 1), _loss_read, 4, grid=tuple({"efficiency": e} for e in _EFFICIENCIES)),
+            Law(_loss_columns, (1, 1), _loss_read, 2, grid=tuple({"efficiency": e} for e in _EFFICIENCIES)),
         ),
         contains=("coulomb_friction",),
         hidden=Hidden(_loss_form, needs="load"),

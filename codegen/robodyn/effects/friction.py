@@ -87,7 +87,7 @@ def _power_level(p: Values, speed: float) -> dict[str, float | str]:
 
 _POWER = Law(
     lambda values, at: (_power_law({"level": 1.0, "velocity": 1.0, **values}, at),), (1,),
-    lambda x, values: {"level": float(x[0]), **values}, 3,
+    lambda x, values: {"level": float(x[0]), **values}, 2,
     grid=tuple({"exponent": a} for a in (0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1.3, 1.6, 2.0)),
     spread=(1.1, 1.01), feasible=lambda x: bool(x[0] > 0),
 )  # fmt: skip
@@ -194,7 +194,7 @@ ASYMMETRIC = Effect(
         candidates=(
             Law(
                 lambda values, at: (at.direction, magnitude(at.direction)), (1, 0),
-                lambda x, values: {"positive": float(x[0] + x[1]), "negative": float(x[0] - x[1])}, 3,
+                lambda x, values: {"positive": float(x[0] + x[1]), "negative": float(x[0] - x[1])}, 2,
                 feasible=lambda x: bool(abs(x[1]) <= x[0]),
             ),
         ),
@@ -263,9 +263,11 @@ STRIBECK = Effect(
         candidates=(
             Law(
                 _stribeck_columns, (1, 1),
-                lambda x, values: {"level": float(x[0]), "static": float(x[0] + x[1]), **values}, 4,
+                lambda x, values: {"level": float(x[0]), "static": float(x[0] + x[1]), **values}, 3,
                 grid=tuple({"velocity": v} for v in (0.01, 0.02, 0.04, 0.08, 0.15, 0.3)),
                 suits=lambda values, top: values["velocity"] < 0.6 * top,
+                # Breakaway of up to three times the level; 1.2 to 2 are usual (Armstrong-Helouvry 1991).
+                feasible=lambda x: bool(x[1] <= 2 * x[0]),
             ),
         ),
         contains=("coulomb_friction",),

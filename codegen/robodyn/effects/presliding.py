@@ -90,7 +90,7 @@ PRESLIDING = Effect(
         adds=("level",),
         candidates=(
             Dahl(
-                "level", "stiffness", "damping", (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2), _bristle_read, 4,
+                "level", "stiffness", "damping", (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2), _bristle_read, 3,
             ),
         ),
         hidden=Hidden(_bristle_form),

@@ -14,7 +14,7 @@ from robodyn.identify.twist import behind_motors
 from robodyn.kernels.array_dynamics import Model
 from robodyn.kernels.kernel import Kernel
 from robodyn.logs.limits import MOTION_WIDER
-from robodyn.logs.signals import Signals, knee, motion_cutoff, smoothed_motion
+from robodyn.logs.signals import Signals, knee, motion_cutoff, rates, smoothed_motion
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import acting_on, measured_torque
 
@@ -121,8 +121,8 @@ def smooth_motion(gate: Gate, part: slice) -> tuple[Floats, Floats, Floats, Floa
     period = float((t[-1] - t[0]) / (len(t) - 1))
     cutoff = motion_cutoff(q, 1 / period, knee(q, 1 / period), MOTION_WIDER)
     smooth = smoothed_motion(q, 1 / period, cutoff)
-    qd = np.gradient(smooth, period, axis=0)
-    return t, smooth, qd, np.gradient(qd, period, axis=0)
+    qd = rates(smooth, period)
+    return t, smooth, qd, rates(qd, period)
 
 
 def predicted(robot: Robot, gate: Gate, rest: Floats | None = None) -> Floats:

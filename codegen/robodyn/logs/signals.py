@@ -121,8 +121,19 @@ def signals_of(log: Log, *, cutoff: float | None = None, wider: float = 1.0) -> 
 def _moving(q: Floats, period: float, cutoff: float) -> tuple[Floats, Floats, Floats]:
     """Positions [K, n] through their filter, and their rates."""
     smooth = smoothed_motion(q, 1 / period, cutoff)
-    qd = np.gradient(smooth, period, axis=0)
-    return smooth, qd, np.gradient(qd, period, axis=0)
+    qd = rates(smooth, period)
+    return smooth, qd, rates(qd, period)
+
+
+def rates(x: Floats, period: float) -> Floats:
+    """Rates of a smooth signal [K, ...] by central differences of fourth order: those of second order make
+    accelerations of a motion of 3 Hz that is sampled at 200 Hz too small by a third of a percent."""
+    if len(x) < 2:
+        return np.zeros_like(x)
+    rate = np.asarray(np.gradient(x, period, axis=0, edge_order=2 if len(x) > 2 else 1))
+    if len(x) > 4:
+        rate[2:-2] = (8 * (x[3:-1] - x[1:-3]) - (x[4:] - x[:-4])) / (12 * period)
+    return rate
 
 
 def thinning(rate: float, cutoff: float = ENOUGH_CUTOFF) -> int:

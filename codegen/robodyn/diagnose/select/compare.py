@@ -4,6 +4,8 @@ what."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import product
+from statistics import NormalDist
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +33,11 @@ def is_other_law(one: Family, key: Key) -> bool:
     )
 
 
+def rubs_at(one: Trial, j: int) -> bool:
+    """Whether it is a law of dissipation at joint ``j`` (from 0)."""
+    return one.family.first.definition.dissipative and one.family.first.joint == j + 1
+
+
 def is_sum_of_others(one: Trial, tried: Sequence[Trial]) -> bool:
     """Whether an effect of two joints foretells no more than its special cases at each of them do: a motor
     that drives two joints is more than two joints that rub."""
@@ -55,25 +62,25 @@ def is_of_link(candidate: Candidate) -> bool:
 
 
 def ahead(gains: Floats) -> float:
-    """By how many standard errors what foretells more by ``gains`` [B, nats] of blocks is ahead; a standard
-    error is a nat at least."""
-    return float(gains.sum() / max(np.sqrt(len(gains)) * gains.std(ddof=1), 1.0))
+    """By how many standard errors of a normal deviate what foretells more by ``gains`` [B, nats] of blocks is
+    ahead: as often as signs that are drawn for the blocks bring about as much (a randomisation test, Fisher
+    1935: blocks tell very unlike amounts). A standard error is a nat at least."""
+    signs = np.array(list(product((-1.0, 1.0), repeat=len(gains))))
+    whole = float(gains.sum())
+    chance = float(np.mean(signs @ np.abs(gains) >= whole - 1e-9 * np.abs(gains).sum()))
+    return min(NormalDist().inv_cdf(min(1 - chance, 1 - 1e-9)) if chance < 1 else -np.inf, whole)
 
 
-def is_preferred(one: Fit, other: Fit, *, is_simpler: bool) -> bool:
-    """Whether a model foretells more than another one; a simpler one need not foretell less than what is
-    worth a name."""
-    before, after = held_out(other), held_out(one)
-    gains = (before - after).sum(axis=1) / 2
-    ratio = np.sqrt(after.sum(axis=0) / np.maximum(before.sum(axis=0), 1e-300))
-    if is_simpler:
-        return bool(ratio.max() < 1 / (1 - PRACTICAL) or gains.sum() > 0)
-    return bool(gains.sum() > 0 and ratio.min() < 1 - PRACTICAL)
+def foretells(one: Fit, other: Fit) -> float:
+    """What a model foretells more than another one [nats]."""
+    return float((held_out(other) - held_out(one)).sum() / 2)
 
 
-def better(one: Trial, other: Trial) -> float:
-    """The share of the RMS that ``one`` takes away beyond the ``other``, at the joint where that is most."""
-    return float(1 - np.sqrt((one.after / np.maximum(other.after, 1e-300)).min()))
+def is_no_more(pair: Trial, other: Trial) -> bool:
+    """Whether a coupled ``pair`` of joints takes away no more than an ``other`` candidate that is worth a
+    name, at the joint where that is most."""
+    ratio = (pair.after / np.maximum(other.after, 1e-300)).min()
+    return pair.family.first.definition.level == "pair" and bool(1 - np.sqrt(ratio) < PRACTICAL)
 
 
 def special_cases(id: str) -> set[str]:

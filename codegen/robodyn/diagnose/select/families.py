@@ -96,12 +96,12 @@ def families(rows: Rows, scope: Scope = EVERYTHING) -> list[Family]:
 
 
 def is_resolved(one: Candidate, values: Mapping[str, float], rows: Rows) -> bool:
-    """Whether a law changes over speeds at which the direction of motion is known: of a shape within those
+    """Whether a law changes over speeds that the log's rates and encoders resolve: of a shape within those
     below, a joint that turns round has no more than how it happened to turn."""
     if one.joint is None:
         return True
     speeds = {p.name for p in one.definition.parameters if p.unit == SPEED}
-    return all(values[name] > rows.speeds[one.joint - 1] for name in speeds & set(values))
+    return all(values[name] > rows.expected[one.joint - 1] for name in speeds & set(values))
 
 
 def _along_all(rows: Rows, scope: Scope) -> Iterator[tuple[Candidate, Singles]]:

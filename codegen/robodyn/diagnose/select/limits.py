@@ -1,6 +1,6 @@
 """Every number by which effects are tried, chosen and named, with its unit and what it decides.
 
-Where no source is given, the value is a choice and was not derived; none is calibrated on data kept apart.
+Where no source is given, the value is a choice and was not derived.
 """
 
 from __future__ import annotations
@@ -45,6 +45,9 @@ RIDGE: Final = 1e-6
 
 TOLERANCE: Final = 1e-5
 """[share of the largest singular value] Columns that are smaller say nothing apart from others."""
+
+LEAST_MOVING: Final = 0.1
+"""[share of rows] A joint that moves in fewer has its noise, and its dry friction, from all of them."""
 
 RESOLUTION: Final = 2.0
 """[-] The speed below which a direction is not resolved is looked for by this factor,"""
@@ -103,15 +106,11 @@ TOGETHER: Final = 0.1
 RIVAL_LEAST: Final = 0.5
 """[share of the gain] A candidate that explains less than half is another thing and no rival."""
 
-RIVAL_FAR: Final = 6.0
-"""[standard errors] A candidate that is farther behind has no part in the odds: exp(-6) is a quarter of a
-percent."""
-
-ODDS: Final = (-1.42, 1.92, 0.98)
+ODDS: Final = (0.18, 0.87, 0.98)
 """[-; by logit of the share explained; probability] That the catalogue has what is missing at a joint, a
-logistic regression, and how sure any name is at most. Maximum likelihood of 260 names, right or not, in blind
-trials of drawn arms whose joints stick (263 of `clear`, `near`, `null`, `outside`; seeds from 30000 to 30047;
-2026-11-27)."""
+logistic regression, and how sure any name is at most. Maximum likelihood of 314 names, right or not, in blind
+trials of drawn arms whose joints stick (297 of `clear` and `near`; seeds from 34000 to 35031, of which those
+up to 34031 were tried before the noise was that of joints in motion; 2026-11-28)."""
 
 EXCESS: Final = 2.0
 """[floors] What is left beyond the sensors' noise and has structure; less is no model's fault."""

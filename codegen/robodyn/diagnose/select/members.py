@@ -11,17 +11,14 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.families import Family, Key
-from robodyn.diagnose.select.library import regressor_seen
 from robodyn.diagnose.select.library.sensors import leave_little
 from robodyn.diagnose.select.limits import (
     FIT_ROUNDS,
     FIT_WORTH,
-    LEAST_SHOWN,
     STEP,
     TOWARDS_ZERO,
 )
 from robodyn.diagnose.select.noise import rest_of
-from robodyn.diagnose.select.prior import prior_scales
 from robodyn.diagnose.select.rows import Rows
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
@@ -76,41 +73,16 @@ class Member:
         return replace(self, parameters={**self.parameters, name: value})
 
 
-def own_numbers(rows: Rows, share: float) -> Floats:
-    """Torques [N, n, p] by combinations of the arm's own numbers, in units of what is known of them
-    beforehand, those that show."""
-    scale = prior_scales(rows.contexts[0].model, share).reshape(-1)
-    columns = np.concatenate([regressor_seen(c) for c in rows.contexts]) * scale
-    flat = (columns * np.sqrt(rows.weight)[:, :, None]).reshape(-1, len(scale))
-    _, sizes, ways = np.linalg.svd(flat.T @ flat, hermitian=True)
-    return np.asarray(columns @ ways[np.sqrt(sizes) > LEAST_SHOWN].T)
-
-
-def with_reading_time(fit: Fit) -> Fit:
-    """The fit beside when torques were read, to half a sample: at reversals that makes a level of friction
-    look another, and without it intervals are too narrow. A search beside it would miss a delay."""
-    own = np.concatenate([fit.model.own, _read_late(fit.model.rows)], axis=2)
-    return fitted(replace(fit.model, own=own)) or fit
-
-
-def _read_late(rows: Rows) -> Floats:
-    """Torques [N, n, n] by half a sample for which each joint's is read later than its position."""
-    parts = []
-    for c in rows.contexts:
-        s = c.signals
-        rate = np.gradient(s.filtered(s.tau), s.period, axis=0)
-        parts.append(s.thinned(s.filtered(rate)) * s.period / 2)
-    return np.asarray(np.concatenate(parts)[:, :, None] * np.eye(rows.n))
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Model:
-    """``members`` of a model beside the arm's ``own`` numbers [N, n, p]."""
+    """``members`` of a model beside the arm's ``own`` numbers [N, n, p], wrong by a ``share`` at most where
+    nothing is stated of them; ``is_timed``: and beside when torques were read."""
 
     rows: Rows
     own: Floats
     members: tuple[Member, ...] = ()
     share: float | None = None
+    is_timed: bool = False
     _known: dict[tuple[Any, ...], Floats] = field(default_factory=dict)
 
     @property
@@ -189,6 +161,8 @@ class Fit:
     held: Floats
     x: Floats
     cost: float
+    #: What trials of all families have in common.
+    kept: dict[str, Any] = field(default_factory=dict)
 
     @property
     def rest(self) -> Floats:

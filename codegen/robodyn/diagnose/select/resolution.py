@@ -33,6 +33,15 @@ def likelier_speeds(fit: Fit, expected: Floats, threshold: float, best: Trial | 
     return None if np.array_equal(speeds, rows.speeds) else speeds
 
 
+def foretold(fit: Fit, expected: Floats, threshold: float) -> tuple[Floats, float]:
+    """The likelier speeds [n] of a fit, or its own, and its held-out log-likelihood with them [nats]."""
+    speeds = likelier_speeds(fit, expected, threshold, None)
+    if speeds is None:
+        return fit.model.rows.speeds, float(log_likelihood(fit).sum())
+    other = _in_rows(fit, with_speeds(fit.model.rows, speeds))
+    return speeds, -np.inf if other is None else float(log_likelihood(other).sum())
+
+
 def _likeliest(fit: Fit, speeds: Floats, expected: Floats, j: int) -> tuple[float, float]:
     """The likeliest speed of joint ``j`` (from 0), and what it foretells more [nats]."""
     before = log_likelihood(fit)

@@ -29,11 +29,12 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rows:
-    """The rows of logs along ``contexts``: ``blocks`` [B, m] of them are held out in turn. ``speeds`` [n]:
-    below which directions of motion are not resolved; ``unresolved`` [N, n]: 1 - s^2 of each row, filtered
-    like the torque; ``sigma`` [n]: noise, ``correlation`` [n]: how many rows say what one says; ``level``
-    [n]: dry friction, of which the rows at rest say a set; ``floor`` [n]: noise that the sensors alone
-    leave."""
+    """The rows of logs along ``contexts``: ``blocks`` [B, m] of them are held out in turn.
+
+    ``speeds`` [n]: below which directions of motion are not resolved, and those ``expected`` by filter,
+    accelerations and encoders; ``unresolved`` [N, n]: 1 - s^2 of each row, filtered like the torque;
+    ``sigma`` [n]: noise, ``correlation`` [n]: how many rows say what one says; ``level`` [n]: dry friction,
+    of which the rows at rest say a set; ``floor`` [n]: noise that the sensors alone leave."""
 
     robot: Robot
     contexts: tuple[Context, ...]
@@ -44,6 +45,7 @@ class Rows:
     sigma: Floats
     correlation: Floats
     level: Floats
+    expected: Floats
 
     @property
     def n(self) -> int:
@@ -80,8 +82,8 @@ def rows_of(robot: Robot, gates: Sequence[Gate], speeds: Floats | None = None) -
     for piece in pieces[1:]:
         if piece.samples * longest.period > SHORTEST_PIECE / longest.cutoff:
             signals.append(signals_of(piece, cutoff=longest.cutoff, wider=MOTION_WIDER))
-    if speeds is None:
-        speeds = np.maximum(unresolved_speeds(signals), 1e-9)
+    expected = np.maximum(unresolved_speeds(signals), 1e-9)
+    speeds = expected if speeds is None else speeds
     model = Model(robot, sticking=speeds)
     first = context_of(model, signals[0])
     contexts = (first, *(context_of(model, s, first.hints) for s in signals[1:]))
@@ -90,7 +92,7 @@ def rows_of(robot: Robot, gates: Sequence[Gate], speeds: Floats | None = None) -
     floor = np.hypot(passed_noise(longest), encoder_torque_noise(first))
     level = np.array([abs(number_of(link.joint.coulomb)) for link in robot.links])
     blocks = _blocks(len(unresolved), longest)
-    return Rows(robot, contexts, blocks, speeds, unresolved, floor, floor, none + 1, level)
+    return Rows(robot, contexts, blocks, speeds, unresolved, floor, floor, none + 1, level, expected)
 
 
 def _piece(log: Log, part: slice) -> Log:

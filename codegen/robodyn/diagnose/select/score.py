@@ -111,6 +111,13 @@ def held_out(fit: Fit) -> Floats:
     return np.asarray((fit.model.rows.weight[fit.model.rows.blocks] * _folds(fit)[-1] ** 2).sum(1))
 
 
+def foretold_by(fit: Fit, one: Trial | None = None) -> float:
+    """Held-out log-likelihood of a fit, with ``one`` beside it, but for a constant [nats]."""
+    weight = fit.model.rows.weight[fit.model.rows.blocks]
+    squares = held_out(fit).sum() if one is None else one.after.sum()
+    return float(np.log(weight).sum() - squares) / 2
+
+
 def log_likelihood(fit: Fit) -> Floats:
     """Held-out log-likelihood [B, n] of blocks, but for a constant."""
     weight = fit.model.rows.weight[fit.model.rows.blocks]
@@ -120,6 +127,8 @@ def log_likelihood(fit: Fit) -> Floats:
 def _folds(fit: Fit) -> tuple[Floats, Floats, Floats, Floats, Floats]:
     """By block B: squares [B, p, p] and right-hand sides [B, p] of its rows; of all the others the inverse
     [B, p, p] and coefficients [B, p]; and what these leave of it [B, m, n]."""
+    if "folds" in fit.kept:
+        return fit.kept["folds"]  # type: ignore[no-any-return]
     rows = fit.model.rows
     I, n = rows.blocks, rows.n
     W, y, A = rows.weight[I], fit.leave[I], fit.columns[I]
@@ -133,7 +142,8 @@ def _folds(fit: Fit) -> tuple[Floats, Floats, Floats, Floats, Floats]:
     outer = np.outer(size, size)
     inverse = np.linalg.inv(T / outer + np.diag(fit.held / size**2 + 1e-9)) / outer
     a = np.einsum("bpq,bq->bp", inverse, t)
-    return G, c, inverse, a, y - (flat @ a[..., None]).reshape(B, m, n)
+    fit.kept["folds"] = G, c, inverse, a, y - (flat @ a[..., None]).reshape(B, m, n)
+    return fit.kept["folds"]  # type: ignore[no-any-return]
 
 
 def _all_rows(

@@ -3,37 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.compare import (
     ahead,
-    better,
+    foretells,
+    is_no_more,
     is_of_link,
     is_other_law,
-    is_preferred,
     is_sum_of_others,
     overlap,
     read_link,
+    rubs_at,
     special_cases,
 )
 from robodyn.diagnose.select.families import Family, Key, families
 from robodyn.diagnose.select.limits import (
     ALPHA,
+    FIT_ROUNDS,
     MOST_MEMBERS,
     OVERLAP,
     PRACTICAL,
-    SHARES,
+    RIVAL_LEAST,
 )
-from robodyn.diagnose.select.members import Fit, Member, Model, fitted, own_numbers, solve, with_reading_time
-from robodyn.diagnose.select.noise import with_noise_of
-from robodyn.diagnose.select.resolution import likelier_speeds
+from robodyn.diagnose.select.members import Fit, Member, Model, fitted, solve
+from robodyn.diagnose.select.noise import dry_friction, with_noise_of
+from robodyn.diagnose.select.nuisance import own_numbers, timed, widened, with_reading_time
+from robodyn.diagnose.select.outcome import Found, Outcome
+from robodyn.diagnose.select.resolution import foretold, likelier_speeds
 from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
-from robodyn.diagnose.select.score import Trial, held_out, trials
-from robodyn.diagnose.select.tuning import tuned, with_tried
+from robodyn.diagnose.select.score import Trial, foretold_by, trials
+from robodyn.diagnose.select.tuning import steady, tuned, with_tried
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.robot.model import Robot
@@ -41,37 +45,19 @@ from robodyn.robot.model import Robot
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Found:
-    """A member of the model that was found, its own trial beside the others, and the trials of all families
-    there, best first."""
-
-    member: Member
-    trial: Trial
-    beside: tuple[Trial, ...]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Outcome:
-    """What a search has found: the ``fit`` with it and that of the model as described, ``begun``."""
-
-    found: tuple[Found, ...]
-    fit: Fit
-    begun: Fit
-    last: tuple[Trial, ...]
-
-
 class Search:
     """The search in ``rows`` among families ``found``."""
 
     def __init__(
-        self, gates: Sequence[Gate], rows: Rows, found: Sequence[Family], tell: Callable[[str], object],
-        scope: Scope,
+        self, gates: Sequence[Gate], rows: Rows, found: Sequence[Family], dry: Floats,
+        tell: Callable[[str], object], scope: Scope,
     ) -> None:  # fmt: skip
         self.gates, self.rows, self.families, self.tell, self.scope = gates, rows, list(found), tell, scope
         self.threshold = float(np.log(max(len(found), 1) / ALPHA))
-        self.lowest = rows.speeds.copy()
         self.banned: set[Key] = set()
+        self.dry = dry.copy()
+        self.tuned: set[tuple[Key, tuple[int, ...]]] = set()
+        self.plain: set[int | None] = {None}
 
     def passes(self, one: Trial) -> bool:
         """Whether it is worth a name, and its gain more than its standard error over the blocks: not of one
@@ -86,7 +72,8 @@ class Search:
 
     def choice(self, tried: Iterable[Trial]) -> Trial | None:
         """The simplest of those that pass and foretell as much as the best: within a standard error (Breiman
-        et al. 1984), or but for what is not worth a name."""
+        et al. 1984), or but for what of so many would be chance; or, where joints are coupled, which is rare,
+        but for what is worth no name."""
         tried = list(tried)
         good = [one for one in tried if self.passes(one) and not is_sum_of_others(one, tried)]
         if not good:
@@ -98,7 +85,11 @@ class Search:
             if self.is_worth(one)
             and not is_sum_of_others(one, tried)
             and overlap(one, best) > OVERLAP
-            and (ahead(best.gains - one.gains) <= 1 or better(best, one) < PRACTICAL)
+            and (
+                ahead(best.gains - one.gains) <= 1
+                or best.gain - one.gain < self.threshold
+                or is_no_more(best, one)
+            )
         ]
         return min(near, key=lambda one: (one.family.order, -one.gain))
 
@@ -119,20 +110,27 @@ class Search:
         """Until nothing passes."""
         tried: list[Trial] = []
         while len(fit.model.members) < MOST_MEMBERS:
-            tried = trials(fit, self.open_to(fit))
+            tried = self.tried(fit)
             best = self.choice(tried)
-            speeds = likelier_speeds(fit, self.lowest, self.threshold, best)
+            rubs = self.where_it_rubs(fit, tried, best)
+            if rubs is not None:
+                fit = rubs
+                continue
+            speeds = likelier_speeds(fit, self.rows.expected, self.threshold, best)
+            if speeds is None and best is not None:
+                speeds = self.speeds_of_plain(fit, tried, best)
             turned = None if speeds is None else self._with_speeds(fit, speeds)
             if turned is not None:
                 fit = turned
                 continue
             if best is None:
-                again = self.reviewed(self.widened(fit, None) or fit, range(self.rows.n))
+                more = widened(fit, self.threshold) or timed(fit, self.threshold)
+                again = self.reviewed(more or fit, range(self.rows.n))
                 if again is fit:
                     break
                 fit = again
                 continue
-            wider = self.widened(fit, best) if is_of_link(best.family.first) else None
+            wider = widened(fit, self.threshold, best) if is_of_link(best.family.first) else None
             if wider is not None:
                 fit = wider
                 continue
@@ -144,33 +142,97 @@ class Search:
             fit = self.reviewed(more, best.family.rows)
         return fit, tried
 
-    def widened(self, fit: Fit, best: Trial | None) -> Fit | None:
-        """The model with wider bounds of all of the arm's own numbers, where that foretells enough more, and
-        clearly more than the ``best`` candidate: wrong numbers of one link."""
-        before, choices = held_out(fit), []
-        for share in SHARES:
-            if fit.model.share is not None and share <= fit.model.share:
+    def tried(self, fit: Fit) -> list[Trial]:
+        """The trials of what may come in; of what is not linear the values are those that explain most, where
+        it may be in the place of the best."""
+        tried = self.trials(fit, self.open_to(fit))
+        good = [one for one in tried if self.is_worth(one)]
+        if not good:
+            return tried
+        best = max(good, key=lambda one: one.gain)
+        close = [
+            one
+            for one in tried
+            if one.gain > RIVAL_LEAST * best.gain
+            and overlap(one, best) > OVERLAP
+            and not one.family.first.reach  # links on springs take long, once they are in
+            and (one.family.key, one.family.kept) not in self.tuned
+        ]
+        others = {}
+        for one in close:
+            self.tuned.add((one.family.key, one.family.kept))
+            (member, *_) = self._members(one)
+            others[id(one.family)] = tuned(fit.model, member).family
+        self._swap(others)
+        again = self.trials(fit, list(others.values()))
+        better = {id(one): other for one, other in zip(close, again, strict=True)}
+        return [better.get(id(one), one) for one in tried]
+
+    def trials(self, fit: Fit, found: Sequence[Family]) -> list[Trial]:
+        """What each family foretells. A law that has friction come up by and by is impossible if it foretells
+        no more than one that knows nothing but the side on which friction holds a joint at rest."""
+        tried = trials(fit, found)
+        most = max((one.gain for one in tried if self.is_worth(one)), default=0.0)
+        return [one if one.gain < RIVAL_LEAST * most else self._with_shape(fit, one) for one in tried]
+
+    def _with_shape(self, fit: Fit, one: Trial) -> Trial:
+        other = steady(one.family, self.rows, self.rows.expected) if self.is_worth(one) else None
+        if other is None:
+            return one
+        (plain,), values = trials(fit, [other[0]]), one.family.ones[one.k].values
+        is_longer = all(values[name] > x for name, x in other[1].items())
+        return replace(one, is_possible=is_longer and one.gain - plain.gain > self.threshold)
+
+    def where_it_rubs(self, fit: Fit, tried: Sequence[Trial], best: Trial | None) -> Fit | None:
+        """The fit, of rows at rest that say a set at one more joint that shows dry friction in motion: if
+        the ``best`` of those ``tried`` is a law of dissipation there, or one foretells more so than that."""
+        before = max([foretold_by(fit), *([] if best is None else [foretold_by(fit, best)])])
+        for j in np.flatnonzero(self.dry):
+            if best is not None and j != best.at.argmax():
                 continue
-            other = fitted(replace(fit.model, own=own_numbers(self.rows, share), share=share), 0)
+            rows = replace(
+                self.rows, level=self.rows.level + np.where(np.arange(self.rows.n) == j, self.dry, 0.0)
+            )
+            other = fitted(replace(fit.model, rows=rows, _known={}))
             if other is None:
                 continue
-            after = held_out(other)
-            gains = (before - after).sum(axis=1) / 2
-            drop = 1 - np.sqrt((after.sum(axis=0) / np.maximum(before.sum(axis=0), 1e-300)).min())
-            is_clear = best is None or ahead(gains - best.gains) > 1
-            if gains.sum() > self.threshold and drop > PRACTICAL and is_clear:
-                choices.append((float(gains.sum()), other))
-        if not choices:
+            is_law = best is not None and rubs_at(best, int(j))
+            if not is_law:
+                law = self.choice(self.trials(other, [one.family for one in tried if j in one.family.rows]))
+                is_law = law is not None and rubs_at(law, int(j)) and foretold_by(other, law) > before
+            if is_law:
+                self.dry[j], self.rows = 0.0, rows
+                self.banned.clear()
+                return other
+        return None
+
+    def speeds_of_plain(self, fit: Fit, tried: Sequence[Trial], best: Trial) -> Floats | None:
+        """Speeds [n] below which directions are not resolved, if plain dry friction with these foretells no
+        less than the ``best`` one, a law of dissipation at that joint, with its likeliest: laws are compared
+        where a joint that sticks is taken for what it is."""
+        joint = best.family.first.joint
+        if joint in self.plain or not best.family.first.definition.dissipative:
             return None
-        most = max(gain for gain, _ in choices)
-        near = [other for gain, other in choices if gain > most - self.threshold]
-        return fitted(near[0].model)
+        for one in tried:
+            fold = one.family.first.definition.traits.fold
+            if one.family.first.joint == joint and fold and fold.key == "coulomb" and one.is_possible:
+                self.plain.add(joint)
+                fits = self.with_family(fit, one, 0), self.with_family(fit, best, 0)
+                if fits[0] is None or fits[1] is None:
+                    return None
+                (speeds, plain), (_, other) = (
+                    foretold(x, self.rows.expected, self.threshold) for x in fits if x
+                )
+                is_level = plain > other - self.threshold
+                return speeds if is_level and not np.array_equal(speeds, self.rows.speeds) else None
+        return None
 
     def _with_speeds(self, fit: Fit, speeds: Floats) -> Fit | None:
         """The model in rows with other speeds below which directions are not resolved, and candidates of dry
         friction along these."""
         rows = rows_of(self.rows.robot, self.gates, speeds)
         self.rows = with_noise(rows, self.rows.sigma, self.rows.correlation, self.rows.level)
+        self.banned.clear()
         laws = {each.id for each in CATALOGUE.values() if each.dissipative and each.level == "joint"}
         joints = np.flatnonzero(speeds != fit.model.rows.speeds) + 1
         scope = self.scope.of(laws, [int(j) for j in joints])
@@ -179,22 +241,22 @@ class Search:
         self._swap({id(one): with_tried(other, one, self.rows) for one, other in pairs if other is not None})
         return fitted(replace(fit.model, rows=self.rows, _known={}))
 
-    def with_family(self, fit: Fit, one: Trial) -> Fit | None:
-        """The model with a family's best one, in the place of its special cases."""
+    def with_family(self, fit: Fit, one: Trial, rounds: int = FIT_ROUNDS) -> Fit | None:
+        """The model with a family's best one, in the place of its special cases, after so many ``rounds``."""
         members = [each for each in fit.model.members if not self._replaces(one.family, each.key)]
         new = self._members(one)
         if len(members) < len(fit.model.members):  # its numbers beside those that stay
             rest = self._without(fit, members)
             if rest is None:
                 return None
-            (again,) = trials(rest, [one.family])
+            (again,) = self.trials(rest, [one.family])
             new = self._members(again)
         beside, better_ones = fit.model.with_members(members), list[Member]()
         for each in new:
             other = tuned(beside, each)
             self._swap({id(each.family): other.family})
             better_ones.append(other)
-        return fitted(fit.model.with_members([*members, *better_ones]))
+        return fitted(fit.model.with_members([*members, *better_ones]), rounds)
 
     def _swap(self, others: Mapping[int, Family]) -> None:
         """Families in the place of some, by these."""
@@ -247,7 +309,7 @@ class Search:
             if rest is None:
                 continue
             places = set(member.family.rows)
-            tried = trials(rest, [one for one in self.open_to(rest) if places & set(one.rows)])
+            tried = self.trials(rest, [one for one in self.open_to(rest) if places & set(one.rows)])
             own = [one for one in tried if one.family.key == member.key or member.key in one.family.keys]
             best = self.choice(tried)
             if best is None or not any(map(self.passes, own)):
@@ -258,9 +320,10 @@ class Search:
             elif not any(best is one for one in own):
                 mine = max(own, key=lambda one: one.gain)
                 is_simpler = best.family.order < mine.family.order
-                if overlap(best, mine) > OVERLAP and (is_simpler or better(best, mine) > PRACTICAL):
+                if overlap(best, mine) > OVERLAP:
                     other = self.with_family(rest, best)
-                    if other is not None and is_preferred(other, fit, is_simpler=is_simpler):
+                    least = -self.threshold if is_simpler else self.threshold
+                    if other is not None and foretells(other, fit) > least:
                         self.tell(f"found {best.family.first.name}")
                         self.banned.add(member.key)  # or the two would take turns
                         fit = other
@@ -275,10 +338,11 @@ def search(
     tell("fitting the catalogue")
     rows = rows_of(robot, gates)
     found = families(rows, scope)
-    rows = with_noise_of(rows, found)
+    dry = dry_friction(rows, found)
+    rows = with_noise_of(rows, found, dry)
     begun = fitted(Model(rows, own_numbers(rows, 0.0)))
     assert begun is not None
-    one = Search(gates, rows, found, tell, scope)
+    one = Search(gates, rows, found, dry, tell, scope)
     fit, last = one.run(begun)
     final = with_reading_time(fit)
     return Outcome(tuple(_found(one, fit, final)), final, begun, tuple(last))
@@ -289,7 +353,7 @@ def _found(search: Search, fit: Fit, final: Fit) -> Iterable[Found]:
         rest = search._without(fit, [one for one in fit.model.members if one is not member])
         if rest is None:
             continue
-        tried = sorted(trials(rest, search.open_to(rest)), key=lambda one: -one.gain)
+        tried = sorted(search.trials(rest, search.open_to(rest)), key=lambda one: -one.gain)
         own = [one for one in tried if one.family.key == member.key]
         own = own or [one for one in tried if member.key in one.family.keys]
         if own:

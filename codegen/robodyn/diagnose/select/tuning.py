@@ -25,6 +25,8 @@ def tuned(model: Model, new: Member) -> Member:
     """A ``new`` member of a model with the values that explain most; its family has them too, so that later
     trials of it are of these."""
     candidate, rows, family = new.family.ones[new.k], model.rows, new.family
+    if candidate.definition.traits.reevaluate and not candidate.fixed and len(new.free) == 1:
+        return _with_secant(model, new)
     if candidate.again is None or not candidate.values or new.is_linear or family.second:
         return new
     left = model.left()
@@ -32,8 +34,11 @@ def tuned(model: Model, new: Member) -> Member:
         return new
     columns, held = model.design(model.slopes(left))
 
+    ends = {} if candidate.reach else {name: _ends(family, name) for name in candidate.values}
+
     def cost(values: Mapping[str, float]) -> tuple[float, Floats]:
-        if not is_resolved(candidate, values, rows):
+        beyond = any(not low <= values[name] <= high for name, (low, high) in ends.items())
+        if beyond or not is_resolved(candidate, values, rows):
             return np.inf, np.zeros(0)
         z = np.zeros((*left.shape, family.columns.shape[3]))
         z[:, family.rows] = _columns_at(family, values, rows)
@@ -62,6 +67,35 @@ def tuned(model: Model, new: Member) -> Member:
     again = candidate.again(rows.contexts[0], values)
     more = _with_values(family, values, rows)
     return replace(new, family=more, k=len(more.ones) - 1, parameters=dict(again.read(family.whole(x))))
+
+
+def _ends(family: Family, name: str) -> tuple[float, float]:
+    """Between which a value stays: those of the catalogue and a step beyond. Beyond, a law is another."""
+    values, step = [one.values[name] for one in family.ones if name in one.values], family.first.spread[0]
+    return min(values) / step, max(values) * step
+
+
+def _with_secant(model: Model, new: Member) -> Member:
+    """A ``new`` member of one number, what the torques change by it at its size and not at zero."""
+    size = float(new.parameters[new.free[0]])
+    before, after = model.left(), model.with_members([*model.members, new]).left()
+    if before is None or after is None or not size:
+        return new
+    column = ((before - after) / size)[None, :, new.family.rows, None].astype(np.float32)
+    return replace(new, family=replace(new.family, columns=column), k=0)
+
+
+def steady(family: Family, rows: Rows, speeds: Floats) -> tuple[Family, Mapping[str, float]] | None:
+    """The law that a family becomes in steady motion, with the side on which friction holds a joint that has
+    come to rest, and the travel after which it has come up; None where it has no such. ``speeds`` [n]: below
+    which directions are not resolved."""
+    one = family.first
+    if one.joint is None or not one.definition.traits.steady:
+        return None
+    time = 1 / (2 * np.pi * rows.contexts[0].signals.cutoff)  # in which a direction is resolved
+    values = {name: float(speeds[one.joint - 1]) * time for name in one.values}
+    more = _with_values(family, values, rows)
+    return replace(more, ones=more.ones[-1:], columns=more.columns[-1:]), values
 
 
 def with_tried(family: Family, old: Family, rows: Rows) -> Family:

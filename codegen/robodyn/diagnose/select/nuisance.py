@@ -1,0 +1,88 @@
+"""What is fitted beside all candidates and has no name: the arm's own numbers, and when torques were read."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robodyn.diagnose.select.compare import ahead, foretells
+from robodyn.diagnose.select.library import regressor_seen
+from robodyn.diagnose.select.limits import LEAST_SHOWN, PRACTICAL, RIVAL, SHARES
+from robodyn.diagnose.select.members import Fit, Model, fitted
+from robodyn.diagnose.select.prior import prior_scales
+from robodyn.diagnose.select.rows import Rows
+from robodyn.diagnose.select.score import Trial, held_out
+
+Floats = NDArray[np.float64]
+
+
+def own_numbers(rows: Rows, share: float, *, is_timed: bool = False) -> Floats:
+    """Torques [N, n, p] by combinations of the arm's own numbers, in units of what is known of them
+    beforehand, those that show; ``is_timed``: and by half a sample for which each torque is read late."""
+    scale = prior_scales(rows.contexts[0].model, share).reshape(-1)
+    columns = np.concatenate([regressor_seen(c) for c in rows.contexts]) * scale
+    flat = (columns * np.sqrt(rows.weight)[:, :, None]).reshape(-1, len(scale))
+    _, sizes, ways = np.linalg.svd(flat.T @ flat, hermitian=True)
+    own = np.asarray(columns @ ways[np.sqrt(sizes) > LEAST_SHOWN].T)
+    return np.concatenate([own, _by_lateness(rows)], axis=2) if is_timed else own
+
+
+def _by_lateness(rows: Rows) -> Floats:
+    """Torques [N, n, n] by half a sample for which each joint's is read later than its position."""
+    parts = []
+    for c in rows.contexts:
+        s = c.signals
+        rate = np.gradient(s.filtered(s.tau), s.period, axis=0)
+        parts.append(s.thinned(s.filtered(rate)) * s.period / 2)
+    return np.asarray(np.concatenate(parts)[:, :, None] * np.eye(rows.n))
+
+
+def with_own(model: Model, share: float | None, *, is_timed: bool) -> Model:
+    """The model beside its arm's own numbers, where nothing is stated of them wrong by the ``share``."""
+    own = own_numbers(model.rows, share or 0.0, is_timed=is_timed)
+    return replace(model, own=own, share=share, is_timed=is_timed)
+
+
+def widened(fit: Fit, threshold: float, best: Trial | None = None) -> Fit | None:
+    """The model with wider bounds of all of the arm's own numbers, where that foretells more by the
+    ``threshold`` [nats], and clearly more than the ``best`` candidate: wrong numbers of one link."""
+    before, choices = held_out(fit), []
+    for share in SHARES:
+        if fit.model.share is not None and share <= fit.model.share:
+            continue
+        other = fitted(with_own(fit.model, share, is_timed=fit.model.is_timed), 0)
+        if other is None:
+            continue
+        after = held_out(other)
+        gains = (before - after).sum(axis=1) / 2
+        drop = 1 - np.sqrt((after.sum(axis=0) / np.maximum(before.sum(axis=0), 1e-300)).min())
+        lead = gains if best is None else np.minimum(gains, gains - best.gains)
+        if lead.sum() > threshold and ahead(lead) > (1 if best is None else RIVAL) and drop > PRACTICAL:
+            choices.append((float(gains.sum()), other))
+    if not choices:
+        return None
+    most = max(gain for gain, _ in choices)
+    near = [other for gain, other in choices if gain > most - threshold]
+    return fitted(near[0].model)
+
+
+def timed(fit: Fit, threshold: float) -> Fit | None:
+    """The fit beside when torques were read, to half a sample, where that foretells more by the ``threshold``
+    [nats]: at reversals it makes a level of friction look another. What is later is a delay, to be named, and
+    a search beside this from the start would miss it."""
+    if fit.model.is_timed:
+        return None
+    other = fitted(with_own(fit.model, fit.model.share, is_timed=True))
+    if other is None or foretells(other, fit) <= threshold:
+        return None
+    late = slice(other.model.own.shape[2] - fit.model.rows.n, other.model.own.shape[2])
+    return other if np.abs(other.x[late]).max() <= 1 else None
+
+
+def with_reading_time(fit: Fit) -> Fit:
+    """The fit beside when torques were read, in any case: without it intervals are too narrow."""
+    if fit.model.is_timed:
+        return fit
+    return fitted(with_own(fit.model, fit.model.share, is_timed=True)) or fit

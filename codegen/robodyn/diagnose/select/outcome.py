@@ -1,0 +1,28 @@
+"""What a search comes to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from robodyn.diagnose.select.members import Fit, Member
+from robodyn.diagnose.select.score import Trial
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """A member of the model that was found, its own trial beside the others, and the trials of all families
+    there, best first."""
+
+    member: Member
+    trial: Trial
+    beside: tuple[Trial, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outcome:
+    """What a search has found: the ``fit`` with it and that of the model as described, ``begun``."""
+
+    found: tuple[Found, ...]
+    fit: Fit
+    begun: Fit
+    last: tuple[Trial, ...]
