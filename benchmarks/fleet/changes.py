@@ -109,9 +109,15 @@ def changed(change: Change | None, level: float, true: TrueType, numbers: Number
     """An arm of ``numbers`` with as much of the ``change`` as ``level`` says."""
     if change is None or not level:
         return Day(numbers)
+    if change.kind in (PROGRAM, CLOCK_RUNS, DATE_LOST):
+        return Day(numbers)
     if change.kind == FRICTION:
         return Day(_rubbing(numbers, change, level))
     return _with_effect(change, max(level, LEAST_LEVEL), true, numbers)
+
+
+#: Kinds of changes that are none of the arm.
+PROGRAM, CLOCK_RUNS, DATE_LOST = "program", "clock", "date"
 
 
 # --- friction ---------------------------------------------------------------------------------------------

@@ -39,9 +39,6 @@ LONGEST_DWELL: Final = 0.6
 SHORTEST_MOVE: Final = 0.3
 """[s] No move is quicker."""
 
-PROGRAMS: Final = (2, 4)
-"""[programs] of a unit, at least and at most."""
-
 # --- types --------------------
 
 COULOMB: Final = (0.10, 0.30)
@@ -121,6 +118,9 @@ SIZED_DURATION: Final = 8.0
 SIZED_RATE: Final = 250.0
 """[Hz] and of its samples."""
 
+LOST_DATE: Final = 4 * 365.25 * DAY
+"""[s] So far back is the clock that has lost its date."""
+
 # --- score --------------------
 
 NEAR: Final = 30.0
@@ -129,8 +129,8 @@ NEAR: Final = 30.0
 NAMED: Final = 0.9
 """[share of the planted] An answer names as many at least,"""
 
-FALSE: Final = 0.02
-"""[share of the healthy units] names as many of these at most,"""
+FALSE: Final = 0.05
+"""[share of the units with a name] of which as many are healthy at most,"""
 
 RIGHT: Final = 0.95
 """[share of what is named] and is right about as many at least."""

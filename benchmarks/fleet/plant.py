@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Final, Literal
 
 import numpy as np
-from benchmarks.fleet.changes import FRICTION, Change
+from benchmarks.fleet.changes import CLOCK_RUNS, DATE_LOST, FRICTION, PROGRAM, Change
 from benchmarks.fleet.recipe import Recipe
 from benchmarks.fleet.types import TrueType, draw_type
 from benchmarks.fleet.units import LOAD, PLAY, Moved, draw_unit, log_of_day, moved, shown_temperature
@@ -134,6 +134,9 @@ def _places(names: Sequence[str], recipe: Recipe, rng: np.random.Generator) -> l
         (FRICTION, recipe.friction_units),
         (PLAY, recipe.play_units),
         (LOAD, recipe.payload_units),
+        (PROGRAM, recipe.program_units),
+        (CLOCK_RUNS, recipe.clock_units),
+        (DATE_LOST, recipe.date_units),
         *recipe.effects,
     ]
     kinds: list[str | None] = [kind for kind, share in shares for _ in range(round(share * recipe.units))]
@@ -163,7 +166,7 @@ def _write_unit(
     for k, date in enumerate(unit.dates.tolist()):
         name = f"{day(date).replace(':', '')}.{format}"
         path = f"logs/{true.robot.name}/{place.name}/{name}"
-        logs.append(LogOfUnit(path, date, shown_temperature(unit, k, recipe)))
+        logs.append(LogOfUnit(path, unit.stated_date(k), shown_temperature(unit, k, recipe)))
     if target.exists():
         return tuple(logs), unit.change
     part = target.with_name(f".{place.name}.part")

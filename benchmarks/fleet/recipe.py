@@ -30,8 +30,10 @@ class Recipe:
     viscous friction, and as many in which only Coulomb friction); ``play_units``, in which a gap grows from
     nothing until it shows ``play_size`` noise floors; ``payload_units``, in which a payload is not entered
     from a day on, in ``payload_always`` of them from the first log on, and shows ``payload_size`` noise
-    floors. ``effects`` are further ones, ids of the catalogue with their shares of the units: they grow to
-    ``effect_size`` noise floors.
+    floors. In ``program_units`` the arm runs other programs from a day on, in ``clock_units`` the time stamps
+    run by ``clock_share`` too fast from a day on, in ``date_units`` the clock loses its date on a day.
+    ``effects`` are further ones, ids of the catalogue with their shares of the units: they grow to
+    ``effect_size`` noise floors. ``programs``: of a unit, one after the other by chance.
 
     All units scatter about their type: ``scatter_friction`` (log-normal, drawn for each joint of the type),
     ``scatter_inertial``, ``scatter_gain`` (torque constant); ``daily_friction`` is from log to log. Friction
@@ -45,6 +47,7 @@ class Recipe:
     seed: int = 0
     days: float = 365.0
     logs: tuple[int, int] = (5, 20)
+    programs: tuple[int, int] = (2, 4)
     duration: Range = (10.0, 20.0)
     rates: tuple[float, ...] = (250.0,)
     short: float = 0.08
@@ -60,6 +63,10 @@ class Recipe:
     payload_units: float = 0.01
     payload_size: Range = (3.0, 10.0)
     payload_always: float = 0.3
+    program_units: float = 0.0
+    clock_units: float = 0.0
+    clock_share: float = 0.1
+    date_units: float = 0.0
     effects: tuple[tuple[str, float], ...] = ()
     effect_size: Range = (3.0, 6.0)
     scatter_friction: Range = (0.15, 0.25)
@@ -82,10 +89,11 @@ class Recipe:
 #: Numbers of a recipe that are shares, and those that are more than 0.
 _SHARES: Final = (
     "short", "slow", "friction_units", "one_law", "play_units", "payload_units", "payload_always",
-    "sheet_silent",
+    "program_units", "clock_units", "clock_share",
+    "date_units", "sheet_silent",
 )  # fmt: skip
-_POSITIVE: Final = ("days", "duration", "rates", "encoder_bits", "growth", "play_size", "payload_size",
-                    "effect_size", "noise")  # fmt: skip
+_POSITIVE: Final = ("days", "programs", "duration", "rates", "encoder_bits", "growth", "play_size",
+                    "payload_size", "effect_size", "noise")  # fmt: skip
 
 
 def read_recipe(path: Path, **options: int) -> Recipe:

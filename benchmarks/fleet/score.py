@@ -56,8 +56,8 @@ class Kind:
 class FleetScore:
     """How an answer about a fleet of ``units``, ``healthy`` of which are, did.
 
-    By ``kinds`` what was found; ``false`` healthy units that are named. ``claims``: names of units in
-    which something is planted, and of them the ``right`` ones. Dates of right names: ``days_off``, their
+    By ``kinds`` what was found; ``false`` healthy units that are named. ``claims``: all names, those of
+    healthy units too, and of them the ``right`` ones. Dates of right names: ``days_off``, their
     median; shares of them that are ``near`` and that the stated interval holds (None: no dates). ``same``:
     whether the answer is about this fleet. ``cases``: all units that are named, or should be.
     """
@@ -88,7 +88,7 @@ class FleetScore:
     def result(self) -> str:
         """The worst of what there is to say: ``wrong`` (too many healthy units or wrong effects and joints
         are named), ``missed`` (too few of what is planted), or ``right``."""
-        if self.false > FALSE * self.healthy or self.right < RIGHT * self.claims:
+        if self.false > max(FALSE * (self.named + self.false), 1) or self.right < RIGHT * self.claims:
             return "wrong"
         return "missed" if self.named < NAMED * self.planted else "right"
 
@@ -136,7 +136,12 @@ def score_fleet(answer: Part, result: Any, file: str = "fleet.json") -> FleetSco
         )
     off = [case.days_off for case in sick if case.days_off is not None]
     holds = [case.interval_holds for case in sick if case.interval_holds is not None]
-    rights = [_is_right(claim, planted[key]) for key in planted for claim in claims.get(key, [])]
+    rights = [
+        key in planted and _is_right(claim, planted[key])
+        for key in sorted(claims)
+        if key in units
+        for claim in claims[key]
+    ]
     return FleetScore(
         len(units), len(units) - len(planted), kinds, len(cases) - len(sick), len(rights), sum(rights),
         statistics.median(off) if off else None,

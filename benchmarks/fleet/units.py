@@ -8,11 +8,22 @@ from pathlib import Path
 
 import numpy as np
 from benchmarks.fleet.arm import Day, Numbers
-from benchmarks.fleet.changes import FRICTION, Change, changed, draw_effect, draw_friction, when, window
+from benchmarks.fleet.changes import (
+    CLOCK_RUNS,
+    DATE_LOST,
+    FRICTION,
+    PROGRAM,
+    Change,
+    changed,
+    draw_effect,
+    draw_friction,
+    when,
+    window,
+)
 from benchmarks.fleet.limits import (
     DAY,
     FIRST_DAY,
-    PROGRAMS,
+    LOST_DATE,
     REFERENCE,
     SHIFTS,
     SLOW,
@@ -28,6 +39,7 @@ from numpy.typing import NDArray
 
 from robodyn.effects.rigid import PAYLOAD
 from robodyn.effects.springs import BACKLASH
+from robodyn.fleet.result import CLOCK, PROGRAM_CHANGE
 from robodyn.logs.log import Log
 from robodyn.simulate.sensors import measure
 from robodyn.simulate.trajectories.trajectory import Trajectory
@@ -40,8 +52,9 @@ PLAY, LOAD = "play", PAYLOAD.id
 @dataclass(frozen=True, slots=True, eq=False)
 class Unit:
     """A unit of a type: true ``numbers`` at the temperature for which friction is stated, ``gains`` [n] of
-    the torques in its logs, programs; ``dates`` [K] (s since 1970) and ``temperature`` [K] (deg C) of its
-    logs; the ``seed`` of everything in them; what is planted (None: nothing)."""
+    the torques in its logs, ``programs``, and those that it runs ``later``; ``dates`` [K] (s since 1970)
+    and ``temperature`` [K] (deg C) of its logs; the ``seed`` of everything in them; what is
+    planted (None: nothing)."""
 
     numbers: Numbers
     gains: Floats
@@ -50,6 +63,13 @@ class Unit:
     temperature: Floats
     seed: int
     change: Change | None = None
+    later: tuple[Program, ...] = ()
+
+    def stated_date(self, k: int) -> float:
+        """What the clock says of the log ``k`` [s since 1970]."""
+        date = float(self.dates[k])
+        lost = self.change is not None and self.change.kind == DATE_LOST and self.change.level(date)
+        return date - LOST_DATE if lost else date
 
 
 def draw_unit(kind: str | None, true: TrueType, recipe: Recipe, seed: int, cache: Path | None = None) -> Unit:
@@ -63,15 +83,20 @@ def draw_unit(kind: str | None, true: TrueType, recipe: Recipe, seed: int, cache
     rng = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(0,)))
     numbers = scattered(true.numbers, float(rng.uniform(*recipe.scatter_inertial)), true.scatter, rng)
     gains = 1 + rng.uniform(*recipe.scatter_gain) * rng.standard_normal(true.robot.n)
-    count = int(rng.integers(PROGRAMS[0], PROGRAMS[1] + 1))
-    programs = tuple(draw_program(true.robot, rng) for _ in range(count))
+    programs = _programs(true, recipe, rng)
     dates = _dates(recipe, rng)
     while window(dates, recipe.growth[0] * DAY) is None:
         dates = _dates(recipe, rng)
     unit = Unit(numbers, gains, programs, dates, _temperature(dates, recipe, rng), seed)
     if kind is None:
         return unit
-    return replace(unit, change=_planted(kind, unit, true, recipe, rng, cache))
+    later = _programs(true, recipe, rng) if kind == PROGRAM else ()
+    return replace(unit, later=later, change=_planted(kind, unit, true, recipe, rng, cache))
+
+
+def _programs(true: TrueType, recipe: Recipe, rng: np.random.Generator) -> tuple[Program, ...]:
+    count = int(rng.integers(recipe.programs[0], recipe.programs[1] + 1))
+    return tuple(draw_program(true.robot, rng) for _ in range(count))
 
 
 def _dates(recipe: Recipe, rng: np.random.Generator) -> Floats:
@@ -99,6 +124,10 @@ def _planted(
     span: tuple[float | None, float] = when(unit.dates, grows, rng)
     if kind == FRICTION:
         return draw_friction(true, recipe.friction_size, recipe.one_law, span, rng)
+    if kind in (PROGRAM, CLOCK_RUNS, DATE_LOST):
+        at_once = when(unit.dates, (0.0, 0.0), rng)
+        off = recipe.clock_share if kind == CLOCK_RUNS else 1.0
+        return Change(kind, (PROGRAM_CHANGE if kind == PROGRAM else CLOCK,), None, *at_once, off, {})
     id, size = kind, recipe.effect_size
     if kind == PLAY:
         id, size = BACKLASH.id, recipe.play_size
@@ -140,7 +169,9 @@ def log_of_day(
     duration, speed = rng.uniform(*recipe.duration), rng.uniform(*SPEEDS)
     duration = duration * SLOW if rng.random() < recipe.short else duration
     speed = speed * SLOW if rng.random() < recipe.slow else speed
-    program = unit.programs[int(rng.integers(len(unit.programs)))]
+    level = unit.change.level(float(unit.dates[k])) if unit.change is not None else 0.0
+    programs = unit.later if unit.later and level else unit.programs
+    program = programs[int(rng.integers(len(programs)))]
     motion = program.motion(round(duration, 1), speed, rng)
     warm = float(unit.temperature[k]) - REFERENCE
     daily = np.exp(recipe.daily_friction * rng.standard_normal((2, true.robot.n)))
@@ -149,11 +180,12 @@ def log_of_day(
         viscous=unit.numbers.viscous * np.exp(-true.viscous_slope * warm) * daily[0],
         coulomb=unit.numbers.coulomb * np.exp(-true.coulomb_slope * warm) * daily[1],
     )
-    level = unit.change.level(float(unit.dates[k])) if unit.change is not None else 0.0
     day = changed(unit.change, level, true, numbers)
     exact = by(true, day, motion, cache)
     exact = replace(exact, tau=exact.tau * unit.gains)
-    return measure(exact, true.sensors, day.sensors, seed=int(rng.integers(1 << 31)))
+    recorded = measure(exact, true.sensors, day.sensors, seed=int(rng.integers(1 << 31)))
+    runs = unit.change is not None and unit.change.kind == CLOCK_RUNS and level
+    return replace(recorded, t=recorded.t * (1 - unit.change.size)) if runs and unit.change else recorded
 
 
 def shown_temperature(unit: Unit, k: int, recipe: Recipe) -> float:

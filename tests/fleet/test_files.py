@@ -83,7 +83,7 @@ def test_readings_are_columns_of_one_length(small: FleetResult) -> None:
     unit, read = small.units[0], document(small)["units"][0]
     for name, readings in unit.readings.items():
         assert read["readings"][name]["value"] == [r.value for r in readings]
-        assert [len(column) for column in read["readings"][name].values()] == [unit.logs] * 3
+        assert [len(column) for column in read["readings"][name].values()] == [unit.logs] * 4
 
 
 def test_the_table_has_a_row_for_each_unit_and_feature(small: FleetResult) -> None:

@@ -9,7 +9,18 @@ import numpy as np
 
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding, Gap, Rival, Series, Tried, Window
 from robodyn.draw.scales import DAY
-from robodyn.fleet.result import Claim, Feature, FleetResult, Look, Reading, TypeResult, UnitResult, Unused
+from robodyn.fleet.result import (
+    Claim,
+    Feature,
+    FleetResult,
+    Look,
+    NotObserved,
+    OddLog,
+    Reading,
+    TypeResult,
+    UnitResult,
+    Unused,
+)
 from robodyn.robot import Robot
 
 
@@ -146,8 +157,8 @@ def fleet(units: int = 1000, claims: int = 60) -> FleetResult:
                     values += one.size * (dates >= (one.since or 0.0))
                     unusual[feature.name] = 9.5
             readings[feature.name] = tuple(
-                Reading(float(date), float(value), feature.between_logs / 2)
-                for date, value in zip(dates, values, strict=True)
+                Reading(float(date), float(value), feature.between_logs / 2, 1 + (k + n) % 2)
+                for n, (date, value) in enumerate(zip(dates, values, strict=True))
             )
             now[feature.name] = (float(values[-1]), feature.between_logs / 3)
         results.append(
@@ -157,17 +168,25 @@ def fleet(units: int = 1000, claims: int = 60) -> FleetResult:
             )
         )  # fmt: skip
     looks = tuple(
-        Look(unit.type, unit.unit, f"{unit.claims[0].feature} has changed", "Record the same motion again.")
+        Look(
+            unit.type,
+            unit.unit,
+            f"{unit.claims[0].feature} has changed",
+            "check it",
+            "Record the same motion again.",
+        )
         for unit in results[: min(10, claims)]
     )
     types = tuple(
-        TypeResult(name, joints, len(members), sum(u.logs for u in members), own, ())
+        TypeResult(name, joints, len(members), sum(u.logs for u in members), 2, own, ())
         for (name, own), (_, joints, _) in zip(kinds, TYPES, strict=True)
         if (members := [u for u in results if u.type == name])
     )
     unused = (Unused("logs/a.csv", TYPES[0][0], "AR-0000", "times go backward"),)
     ordered = tuple(sorted(results, key=lambda u: (u.type, u.unit)))
-    return FleetResult("plant", types, ordered, unused, looks, 0.05)
+    unseen = (NotObserved(TYPES[0][0], "AR-0000", 6, "it does not move in 5 of 9 logs", "record it"),)
+    odd = (OddLog(TYPES[0][0], "AR-0000", "logs/b.csv", START, "joint1.friction"),)
+    return FleetResult("plant", types, ordered, unused, unseen, odd, looks, 0.05)
 
 
 def of_one() -> FleetResult:

@@ -32,14 +32,17 @@ def renamed(result: FleetResult, name: str) -> FleetResult:
     units = [replace(unit, type=name) if unit.type == kind else unit for unit in result.units]
     looks = [replace(look, type=name) if look.type == kind else look for look in result.first_to_look_at]
     units[0] = replace(units[0], unit=name, diagnosis=name)
-    looks[0] = Look(name, name, name, name)
+    looks[0] = Look(name, name, name, name, name)
     features = tuple(
         replace(feature, effects=(name,), unit=name, slopes={name: 1.0}) for feature in types[0].features
     )
     types = (replace(types[0], features=features), *types[1:])
+    unseen = tuple(replace(one, type=name, unit=name, reason=name) for one in result.not_observed)
+    odd = tuple(replace(one, type=name, unit=name, source=name) for one in result.odd_logs)
     unused = tuple(replace(log, source=name, type=name, unit=name, why=name) for log in result.unused)
     return replace(
-        result, name=name, types=types, units=tuple(units), first_to_look_at=tuple(looks), unused=unused
+        result, name=name, types=types, units=tuple(units), first_to_look_at=tuple(looks), unused=unused,
+        not_observed=unseen, odd_logs=odd,
     )  # fmt: skip
 
 
@@ -114,7 +117,7 @@ def test_little_makes_a_page_as_well(result: FleetResult) -> None:
     """One log; nothing to name; no log that could be used."""
     text = page(result)
     Page(text)
-    assert "Look at these first" not in text
+    assert "What to do first" not in text
     assert "What changed and when" not in text
     assert len(list(unit_pages(result))) == len(result.units)
 
@@ -177,5 +180,7 @@ def test_the_days_of_a_change_are_drawn_where_they_are() -> None:
 def test_control_characters_do_not_reach_the_terminal() -> None:
     result = fleet(3, 1)
     look = result.first_to_look_at[0]
-    hostile = replace(result, name="\x1b[2J", first_to_look_at=(Look(look.type, look.unit, "", "a\x1bb\nc"),))
+    hostile = replace(
+        result, name="\x1b[2J", first_to_look_at=(Look(look.type, look.unit, "", "a\x1bb\nc", ""),)
+    )
     assert all(line.isprintable() for line in summary(hostile, "p"))

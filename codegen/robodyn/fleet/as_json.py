@@ -15,6 +15,8 @@ from robodyn.fleet.result import (
     Feature,
     FleetResult,
     Look,
+    NotObserved,
+    OddLog,
     Reading,
     TypeResult,
     UnitResult,
@@ -90,7 +92,9 @@ DESCRIPTIONS: Final[Mapping[type, Mapping[str, str]]] = {
         "types": "What units of a type have in common.",
         "units": "Units, by type and name.",
         "unused": "Logs that were not used.",
-        "first_to_look_at": "Units to look at, the most worthwhile first.",
+        "not_observed": "Joints of which the logs say too little for a change to be told.",
+        "odd_logs": "Logs that are off from all others of their unit and program: single ones, no changes.",
+        "first_to_look_at": "Units to look at, the most urgent first.",
         "false_names": "The share of all named units that are healthy, on average, at most.",
     },
     TypeResult: {
@@ -98,6 +102,7 @@ DESCRIPTIONS: Final[Mapping[type, Mapping[str, str]]] = {
         "joints": "Joints of its arms.",
         "units": "How many units there are.",
         "logs": "How many of their logs were used.",
+        "programs": "How many programs of motion these are of.",
         "features": "The numbers that each log of the type shows.",
         "account": "Where the numbers of its description come from, and what of its file is not in it.",
     },
@@ -125,7 +130,8 @@ DESCRIPTIONS: Final[Mapping[type, Mapping[str, str]]] = {
         "diagnosis": "The page of its diagnosis, relative to this file; null: there is none.",
     },
     Claim: {
-        "effects": "Ids of the catalogue; of several, what they do together. None: no effect explains it.",
+        "effects": "Ids of the catalogue, or program_change, clock; of several, what they do together. "
+        "None: no effect explains it.",
         "joint": "The joint, from 1; null: the whole arm.",
         "feature": "The type's feature that shows it.",
         "shape": "How it came: gradually, at once, or so in all logs.",
@@ -143,6 +149,7 @@ DESCRIPTIONS: Final[Mapping[type, Mapping[str, str]]] = {
         "date": "Days of the logs.",
         "value": "What each shows, without what conditions do.",
         "stderr": "Standard errors.",
+        "program": "The program of motion of each log, from 1 within the type.",
     },
     Unused: {
         "source": "The log, as the fleet names it.",
@@ -150,10 +157,25 @@ DESCRIPTIONS: Final[Mapping[type, Mapping[str, str]]] = {
         "unit": "The unit's name.",
         "why": "Why it was not used.",
     },
+    NotObserved: {
+        "type": "The type's name.",
+        "unit": "The unit's name.",
+        "joint": "The joint, from 1; null: all of the arm.",
+        "reason": "Why no change can be told.",
+        "record": "What to record.",
+    },
+    OddLog: {
+        "type": "The type's name.",
+        "unit": "The unit's name.",
+        "source": "The log, as the fleet names it.",
+        "date": "When it was recorded.",
+        "feature": "The type's feature in which it is off most.",
+    },
     Look: {
         "type": "The type's name.",
         "unit": "The unit's name.",
         "why": "Why to look at it.",
+        "action": "What to do.",
         "record": "What to record next.",
     },
 }

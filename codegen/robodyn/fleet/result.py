@@ -9,6 +9,11 @@ from dataclasses import dataclass
 from typing import Final, Literal
 from urllib.parse import quote
 
+#: What a claim may say beside effects of the catalogue: the unit runs another program; its clock is wrong.
+PROGRAM_CHANGE: Final = "program_change"
+CLOCK: Final = "clock"
+#: The feature of a clock that has lost its date.
+DATE: Final = "date"
 #: How a unit came to be what it is: it went up or down from a day on, jumped, or was so in all its logs.
 Shape = Literal["drift", "step", "always"]
 
@@ -35,13 +40,15 @@ class Feature:
 
 @dataclass(frozen=True, slots=True)
 class TypeResult:
-    """What units of a type have in common: their number, their logs, the features; ``joints``: how many;
+    """What units of a type have in common: their number, their logs, the programs that these are of, the
+    features; ``joints``: how many;
     ``account``: lines on where the numbers of its description come from and what of its file is not in it."""
 
     name: str
     joints: int
     units: int
     logs: int
+    programs: int
     features: tuple[Feature, ...]
     account: tuple[str, ...]
 
@@ -50,6 +57,8 @@ class TypeResult:
 class Claim:
     """What is peculiar to a unit: ``effects`` at a ``joint``, by the type's ``feature``; ``since`` [s since
     1970, UTC] with the interval that holds the day in 95 of 100 cases (None where it has always been so).
+    That it runs another program (:data:`PROGRAM_CHANGE`) or its clock is wrong (:data:`CLOCK`) is none of the
+    arm: effect and feature have that name, ``p`` and ``q`` are 0.
 
     ``until``: the day from which on it has not grown (a drift that ended; None: it still grows, or is none).
     ``size``: how much more of the feature there is now than there was (``always``: than its siblings have),
@@ -74,11 +83,13 @@ class Claim:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What a log shows of a feature: ``value`` without what conditions do, and its standard error; when."""
+    """What a log shows of a feature: ``value`` without what conditions do, and its standard error; when, and
+    which ``program`` (from 1) of its type it is of."""
 
     date: float
     value: float
     stderr: float
+    program: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,12 +123,38 @@ class Unused:
 
 
 @dataclass(frozen=True, slots=True)
+class NotObserved:
+    """A ``joint`` (from 1; None: all of the arm) of a unit of which the logs say too little for a change to
+    be told: the ``reason``, and what to ``record``."""
+
+    type: str
+    unit: str
+    joint: int | None
+    reason: str
+    record: str
+
+
+@dataclass(frozen=True, slots=True)
+class OddLog:
+    """A log that is off from all others of its unit and program, most of all in a ``feature``: a single one
+    is no change."""
+
+    type: str
+    unit: str
+    source: str
+    date: float
+    feature: str
+
+
+@dataclass(frozen=True, slots=True)
 class Look:
-    """A unit to look at, in the order of their worth: ``why``, and what to record next of it, in words."""
+    """A unit to look at, in the order of their worth: ``why``, the ``action`` to take, and what to record
+    next of it, in words."""
 
     type: str
     unit: str
     why: str
+    action: str
     record: str
 
 
@@ -130,6 +167,8 @@ class FleetResult:
     types: tuple[TypeResult, ...]
     units: tuple[UnitResult, ...]
     unused: tuple[Unused, ...]
+    not_observed: tuple[NotObserved, ...]
+    odd_logs: tuple[OddLog, ...]
     first_to_look_at: tuple[Look, ...]
     false_names: float
 

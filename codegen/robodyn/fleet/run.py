@@ -15,7 +15,6 @@ from robodyn.errors import InputError
 from robodyn.fleet.digest import DIGEST_VERSION, Digest
 from robodyn.fleet.limits import FALSE_NAMES, HASHED
 from robodyn.fleet.pool.judge import judge
-from robodyn.fleet.pool.summary import first_to_look_at
 from robodyn.fleet.result import FleetResult, Unused
 from robodyn.fleet.sources.fleet import Fleet
 from robodyn.fleet.store import Refused, Store, key_of, open_store
@@ -146,7 +145,7 @@ def run_fleet(
             files_of, lambda done, of: tell(DIAGNOSING, done, of),
         )  # fmt: skip
         units = tuple(completed(unit, pages.get((unit.type, unit.unit))) for unit in result.units)
-        return replace(result, units=units, first_to_look_at=first_to_look_at(result.types, units))
+        return replace(result, units=units)
 
 
 def _read(fleet: Fleet, store: Store, cluster: Callable[[], Cluster], tell: Progress) -> _Logs:

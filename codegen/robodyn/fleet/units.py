@@ -10,7 +10,7 @@ from typing import Any
 
 from robodyn.cluster import Cluster, Done
 from robodyn.errors import InputError
-from robodyn.fleet.limits import LOGS_AFTER, LOGS_BEFORE
+from robodyn.fleet.limits import LOGS_AFTER
 from robodyn.fleet.result import UnitResult, unit_folder
 from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
 from robodyn.fleet.store import Refused, Store, key_of
@@ -136,7 +136,7 @@ def _cases(
     after = [log for log in logs if not days or log.date >= max(days)] or list(logs[-1:])
     before = [log for log in logs if days and log.date < min(days)]
     place = unit_folder(unit.type, unit.unit)
-    groups = [(place, after[-LOGS_AFTER:]), (f"{place}/{BEFORE}", before[-LOGS_BEFORE:])]
+    groups = [(place, after[-LOGS_AFTER:]), (f"{place}/{BEFORE}", before[-1:])]
     cases = []
     for where, chosen in groups:
         if chosen:

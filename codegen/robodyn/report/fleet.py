@@ -43,6 +43,9 @@ def page(result: FleetResult) -> str:
         types=result.types,
         shades=[f"{bound:g}" for bound in charts.SHADES],
         timeline=_timeline(result),
+        not_observed=words.not_observed_lines(result),
+        together=words.together_lines(result),
+        odd=[(one, day_text(one.date)) for one in result.odd_logs[:_LISTED]],
         unused=result.unused[:_LISTED],
         unused_count=len(result.unused),
         unused_shown=_UNUSED,
@@ -56,8 +59,8 @@ def page(result: FleetResult) -> str:
 
 def _tiles(result: FleetResult) -> list[tuple[str, str, str]]:
     """Question, answer, and a remark on it."""
-    claims = [claim for unit in result.units for claim in unit.claims]
-    different = sum(bool(unit.claims) for unit in result.units)
+    claims = [claim for unit in result.units for claim in unit.claims if not words.is_event(claim)]
+    different = len(words.differing(result))
     what = words.counted([words.effects_text(claim.effects) for claim in claims]) or "no unit stands out"
     changes = [claim.since for claim in claims if claim.since is not None]
     always = len(claims) - len(changes)
@@ -69,6 +72,11 @@ def _tiles(result: FleetResult) -> list[tuple[str, str, str]]:
         ("How sure", f"{100 * result.false_names:g} % false names", words.false_text(result)),
         ("Since when", when, "; ".join(parts) if claims else "has changed"),
     ]
+    unseen = {(one.type, one.unit) for one in result.not_observed}
+    if unseen:
+        joints = sum(one.joint is not None for one in result.not_observed)
+        remark = f"{several(joints, 'joint')} of them" if joints else "too few logs"
+        tiles.append(("Not observed", several(len(unseen), "unit"), remark))
     for look in result.first_to_look_at[:1]:
         units = [unit for unit in result.units if (unit.type, unit.unit) == (look.type, look.unit)]
         first = next((claim for unit in units for claim in unit.claims), None)
@@ -96,7 +104,7 @@ def _looks(result: FleetResult) -> list[dict[str, Any]]:
             {
                 "unit": unit.unit, "type": unit.type, "page": words.page_of(unit),
                 "diagnosis": address(unit.diagnosis) if unit.diagnosis else None,
-                "why": capital(look.why), "record": capital(look.record),
+                "why": capital(look.why), "record": capital(look.record), "action": capital(look.action),
                 "logs": several(unit.logs, "log"),
                 "chart": charts.readings_chart(unit, features[name], claim) if name else None,
                 "claims": unit.claims,
@@ -153,6 +161,9 @@ def unit_pages(result: FleetResult) -> Iterator[tuple[str, str]]:
             unit=unit.unit,
             type=unit.type,
             headline=_headline(unit),
+            not_observed=[
+                one for one in result.not_observed if (one.type, one.unit) == (unit.type, unit.unit)
+            ],
             extent=f"{several(unit.logs, 'log')}, {range_text(unit.first, unit.last)}",
             diagnosis=address(posixpath.relpath(unit.diagnosis, folder)) if unit.diagnosis else None,
             claims=unit.claims,
@@ -171,7 +182,7 @@ def unit_pages(result: FleetResult) -> Iterator[tuple[str, str]]:
 
 def _headline(unit: UnitResult) -> str:
     if not unit.claims:
-        return f"{unit.unit} is like its siblings"
+        return f"Of {unit.unit} no change is seen"
     others = f" and {several(len(unit.claims) - 1, 'other thing')}" if len(unit.claims) > 1 else ""
     return f"{unit.unit} differs: {words.what_text(unit.claims[0])}{others}"
 

@@ -25,6 +25,8 @@ _ROOM, _FEWEST = 0.02, 30.0
 _VAGUE: Final = 8.0
 #: Signs of a unit of measurement at an axis, at most; longer ones stand below the chart only.
 _LABEL: Final = 6
+#: Colours of programs of motion.
+_COLOURS: Final = 4
 #: The narrowest interval of days that is seen, in percent of the width.
 _NARROWEST: Final = 0.6
 
@@ -52,7 +54,10 @@ def readings_chart(unit: UnitResult, feature: Feature, claim: Claim | None = Non
         start, end = (min(max(frame.across(day), 0.0), 100.0) for day in claim.since_interval)
         shades = [Shade(percent(start), percent(max(end - start, _NARROWEST)), "")]
     inside = frame.inside(x, y)
-    marks.append(Mark("dots reading", frame.dots(x[inside], y[inside])))
+    programs = np.array([one.program for one in _in_order(unit.readings[feature.name])])
+    for k, program in enumerate(dict.fromkeys(programs.tolist())):
+        own = inside & (programs == program)
+        marks.append(Mark(f"dots reading g{k % _COLOURS}", frame.dots(x[own], y[own])))
     title = f"{unit.unit}: {words.what_text(feature)}"
     is_shown = words.has_unit(feature.unit) and len(feature.unit) <= _LABEL
     labels = ("", f"[{feature.unit}]" if is_shown else "")
@@ -78,13 +83,17 @@ def days_span(*moments: Floats | float) -> tuple[float, float]:
     return first - half, last + half
 
 
+def _in_order(readings: Sequence[Reading]) -> list[Reading]:
+    """What is known, by day."""
+    known = [one for one in readings if words.is_known(one.date) and words.is_known(one.value)]
+    return sorted(known, key=lambda one: one.date)
+
+
 def _columns(readings: Sequence[Reading]) -> tuple[Floats, Floats, Floats]:
     """Days, values and errors [K] of what is known, by day."""
-    rows = np.array([(r.date, r.value, r.stderr) for r in readings], dtype=np.float64).reshape(-1, 3)
-    rows = rows[np.isfinite(rows[:, :2]).all(axis=1)]
-    rows[:, 2] = np.where(np.isfinite(rows[:, 2]), rows[:, 2], 0.0)
-    x, y, error = rows[np.argsort(rows[:, 0], kind="stable")].T
-    return x, y, error
+    rows = np.array([(r.date, r.value, r.stderr) for r in _in_order(readings)], dtype=np.float64)
+    x, y, error = rows.reshape(-1, 3).T
+    return x, y, np.where(np.isfinite(error), error, 0.0)
 
 
 def _usual(feature: Feature) -> tuple[float, float]:

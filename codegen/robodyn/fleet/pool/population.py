@@ -1,199 +1,136 @@
-"""What units of a type have in common: means, scatters from unit to unit and from log to log, and what
-conditions do.
+"""What units of a type have in common: what conditions do, and how much logs, programs and units scatter.
 
-Each number by itself, with robust scatters (medians), as a few units are odd: they are what is looked for.
-Partial pooling (Gelman and Hill 2007, ch. 12): what a log or a unit says counts by how sure it is beside how
-much logs and units scatter.
+Each feature by itself and within a unit and program only, by medians, as a few units are odd: they are what
+is looked for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import optimize, special
 
-from robodyn.fleet.limits import (
-    COLLINEAR,
-    LEAST_APART,
-    LEAST_SPREAD,
-    MEDIAN,
-    OUTLIER,
-    ROUNDS,
-    SLOPE_LOGS,
-    SLOPE_T,
-    VARIES,
-)
+from robodyn.fleet.limits import SURE_SLOPE, TRIMMED
 
 Floats = NDArray[np.float64]
+Indices = NDArray[np.intp]
+#: The median of the square of a normal number, and one over that of its size.
+_MEDIAN_SQUARE, _MAD = 0.455, 1.4826
+#: Sets of logs from which a scatter is learned, at least.
+_FEWEST = 5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Series:
-    """Readings [K] of one number with their ``variance`` [K], by unit (``unit`` [K], from 0) and with
-    conditions (``conditions`` [K, c], 0 where they are as usual)."""
+class Population:
+    """Of a feature: its ``value`` [K] as it would be in usual conditions, with standard errors ``stderr``
+    [K]; ``slopes`` [c] of the conditions; variances ``between_logs`` (of a unit and program) and
+    ``between_programs`` (of a unit; None: not known, any difference is believed); ``level`` and
+    ``between_units``: median of units and standard deviation; ``ratios``: of each set of logs the logarithm
+    of its variance beside the usual one, and its degrees of freedom."""
 
     value: Floats
-    variance: Floats
-    unit: NDArray[np.intp]
-    conditions: Floats
-
-    @property
-    def units(self) -> int:
-        """How many there are."""
-        return int(self.unit.max()) + 1
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Common:
-    """Of a number: the ``mean`` of units, standard deviations ``between_units`` and ``between_logs``, and
-    ``slopes`` [c] over conditions: of the number's logarithm where it is ``relative``, else of itself."""
-
-    mean: float
-    between_units: float
-    between_logs: float
+    stderr: Floats
     slopes: Floats
-    relative: bool
-
-    def factors(self, conditions: Floats) -> Floats:
-        """What conditions [K, c] multiply the number by [K]."""
-        shift = conditions @ self.slopes
-        return np.exp(shift) if self.relative else np.ones(len(conditions))
-
-    def shifts(self, conditions: Floats) -> Floats:
-        """What they add to it [K]."""
-        return np.zeros(len(conditions)) if self.relative else conditions @ self.slopes
+    between_logs: float
+    between_programs: float | None
+    level: float
+    between_units: float
+    ratios: tuple[tuple[float, int], ...]
 
 
-def common_of(series: Series, *, relative: bool, usual: float) -> Common:
-    """The population of a number, ``usual``: its usual size. It changes with conditions by a factor if it is
-    ``relative``, else by a sum."""
-    c = series.conditions.shape[1]
-    common = Common(usual, LEAST_SPREAD * usual, LEAST_SPREAD * usual, np.zeros(c), relative)
-    is_sought = np.ones(c, dtype=bool) if len(series.value) >= SLOPE_LOGS else np.zeros(c, dtype=bool)
-    for k in range(ROUNDS):
-        value = (series.value - common.shifts(series.conditions)) / common.factors(series.conditions)
-        variance = series.variance / common.factors(series.conditions) ** 2
-        means, left = _units(value, variance + common.between_logs**2, series.unit)
-        log_scatter = _scatter(*_shrunk(left, variance + common.between_logs**2, series.unit), variance)
-        of_means = _variances(variance + log_scatter**2, series.unit)
-        mean = _median(means, 1 / (of_means + common.between_units**2))
-        spread = _scatter(means - mean, np.ones_like(means), of_means)
-        slopes, errors = _slopes(series, common, means, is_sought)
-        if k == ROUNDS // 2:
-            is_sought &= (np.abs(slopes) > SLOPE_T * errors) & (errors > 0)
-        least = LEAST_SPREAD * max(abs(mean), usual)
-        common = Common(
-            mean, max(spread, least), max(log_scatter, least), np.where(is_sought, slopes, 0), relative
-        )
-    return common
+def population_of(
+    value: Floats, stderr: Floats, unit: Indices, group: Indices, conditions: Floats
+) -> Population:
+    """The population of a feature with readings ``value`` [K] (nan: none) and ``stderr`` [K]; ``group`` [K]:
+    which unit and program each log is of; ``conditions`` [K, c], 0 where they are usual."""
+    slopes = _slopes(value, group, conditions)
+    value = value - conditions @ slopes
+    sets = [
+        own for g in np.unique(group) if len(own := np.flatnonzero((group == g) & np.isfinite(value))) > 2
+    ]
+    by_unit = (_known(value, unit == u) for u in np.unique(unit))
+    means = np.array([np.median(readings) for readings in by_unit if len(readings)])
+    level = float(np.median(means)) if len(means) else np.nan
+    between_units = _MAD * float(np.median(np.abs(means - level))) if len(means) else np.nan
+    if not sets:
+        return Population(value, stderr, slopes, np.nan, None, level, between_units, ())
+    off = np.concatenate(
+        [np.asarray(value[own] - np.median(value[own])) * np.sqrt(len(own) / (len(own) - 1)) for own in sets]
+    )
+    total = float(np.median(off**2)) / _MEDIAN_SQUARE
+    between_logs = max(total - float(np.nanmedian(stderr)) ** 2, 0.1 * total, 1e-18)
+    ratios = []
+    for own in sets:
+        weight = between_logs / (between_logs + stderr[own] ** 2)
+        beside = value[own] - np.average(value[own], weights=weight)
+        ratio = float((weight * beside**2).sum()) / (len(own) - 1) / between_logs
+        ratios.append((float(np.log(ratio + 1e-12)), len(own) - 1))
+    programs = _between_programs(value, unit, group, between_logs + float(np.nanmedian(stderr)) ** 2)
+    return Population(value, stderr, slopes, between_logs, programs, level, between_units, tuple(ratios))
 
 
-def _units(value: Floats, variance: Floats, unit: NDArray[np.intp]) -> tuple[Floats, Floats]:
-    """Means [units] with weights 1 / variance, and what they leave of each reading [K]."""
-    weight = 1 / variance
-    total = np.bincount(unit, weight)
-    means = np.bincount(unit, weight * value) / np.maximum(total, 1e-300)
-    return means, value - means[unit]
+def known_median(values: Floats) -> Floats:
+    """The median [n] of what is known of columns [K, n]; nan where nothing is."""
+    some = np.isfinite(values).any(axis=0)
+    medians = np.full(values.shape[1], np.nan)
+    medians[some] = np.nanmedian(values[:, some], axis=0)
+    return medians
 
 
-def _variances(variance: Floats, unit: NDArray[np.intp]) -> Floats:
-    """Of the means of units [units]."""
-    return np.asarray(1 / np.maximum(np.bincount(unit, 1 / variance), 1e-300))
+def _known(value: Floats, which: NDArray[np.bool_]) -> Floats:
+    return value[which & np.isfinite(value)]
 
 
-def _shrunk(left: Floats, variance: Floats, unit: NDArray[np.intp]) -> tuple[Floats, Floats]:
-    """What is left of readings, and the share [K] of their variance that their unit's mean left them."""
-    share = 1 - (1 / variance) / np.maximum(np.bincount(unit, 1 / variance), 1e-300)[unit]
-    return left, np.maximum(share, 0.0)
+def _slopes(value: Floats, group: Indices, conditions: Floats) -> Floats:
+    """What a feature changes by with each condition [c], within groups and without the readings that are far
+    off; 0 where that is not sure."""
+    known, x, y = np.isfinite(value), np.zeros_like(conditions), np.zeros(len(value))
+    for g in np.unique(group[known]):
+        own = known & (group == g)
+        x[own], y[own] = conditions[own] - conditions[own].mean(axis=0), value[own] - np.median(value[own])
+    slopes, used = np.zeros(conditions.shape[1]), np.abs(x).max(axis=0, initial=0) > 1e-9
+    left = y
+    for _ in range(2):  # the second time with those that are sure
+        keep, least = known, 10 + 5 * int(used.sum())
+        for _ in range(5):
+            if keep.sum() < least or not used.any():
+                return np.zeros(conditions.shape[1])
+            slopes = np.zeros(conditions.shape[1])
+            slopes[used] = np.linalg.lstsq(x[keep][:, used], y[keep], rcond=1e-6)[0]
+            left = y - x @ slopes
+            size = _MAD * float(np.median(np.abs(left[known])))
+            keep = known & (np.abs(left) <= TRIMMED * max(size, 1e-12))
+        gram = x[keep][:, used].T @ x[keep][:, used]
+        error = np.sqrt(np.maximum(np.diag(np.linalg.pinv(gram)), 0) * float(np.mean(left[keep] ** 2)))
+        used[used] = np.abs(slopes[used]) > SURE_SLOPE * error
+        slopes = np.where(used, slopes, 0.0)
+    return slopes
 
 
-def _scatter(left: Floats, share: Floats, variance: Floats) -> float:
-    """The standard deviation beside ``variance`` with which half of what is ``left`` is as near as half of
-    normal numbers are; 0 where it is nearer without."""
-    use = share > 0.2
-    if not use.any():
-        return 0.0
-    left, share, variance = np.abs(left[use]), share[use], variance[use]
-
-    def median(scatter: float) -> float:
-        return float(np.median(left / np.sqrt(share * (variance + scatter**2) + 1e-300)))
-
-    low, high = 0.0, 10 * float(left.max()) + 1e-300
-    if median(low) <= MEDIAN:
-        return 0.0
-    for _ in range(60):
-        middle = (low + high) / 2
-        low, high = (middle, high) if median(middle) > MEDIAN else (low, middle)
-    return high
+def _between_programs(value: Floats, unit: Indices, group: Indices, between_logs: float) -> float | None:
+    """The variance between programs of a unit."""
+    squares, noise = [], []
+    for u in np.unique(unit):
+        groups = [_known(value, (unit == u) & (group == g)) for g in np.unique(group[unit == u])]
+        for a, b in pairwise([one for one in groups if len(one) >= 2]):
+            squares.append((np.median(a) - np.median(b)) ** 2 / 2)
+            noise.append(between_logs * (1 / len(a) + 1 / len(b)) / 2)
+    if len(squares) < _FEWEST:
+        return None
+    return max(float(np.median(squares)) / _MEDIAN_SQUARE - float(np.median(noise)), 0.0)
 
 
-def spread_of(values: Floats, scatters: Floats) -> Floats:
-    """The covariance [k, k] of numbers of units, ``values`` [U, k] that scatter by ``scatters`` [k]: with
-    robust correlations (Gnanadesikan and Kettenring 1972), as far as there are such."""
-    far = (values - np.median(values, axis=0)) / np.maximum(scatters, 1e-300)
-    count = far.shape[1]
-    correlation = np.eye(count)
-    for a in range(count):
-        for b in range(a):
-            along, across = (np.median(np.abs(far[:, a] + way * far[:, b])) ** 2 for way in (1, -1))
-            if along + across > 0:
-                correlation[a, b] = correlation[b, a] = (along - across) / (along + across)
-    size, vectors = np.linalg.eigh(correlation)
-    correlation = (vectors * np.maximum(size, LEAST_APART)) @ vectors.T
-    return np.asarray(correlation * np.outer(scatters, scatters))
-
-
-def _median(values: Floats, weights: Floats) -> float:
-    """The weighted median."""
-    order = np.argsort(values)
-    total = np.cumsum(weights[order])
-    return float(values[order][np.searchsorted(total, total[-1] / 2)])
-
-
-def _slopes(
-    series: Series, common: Common, means: Floats, is_sought: NDArray[np.bool_]
-) -> tuple[Floats, Floats]:
-    """Slopes [c] over the conditions and their standard errors, a step of Gauss and Newton from those of
-    ``common``: within units, as the conditions of units differ and they do too."""
-    c = len(common.slopes)
-    slopes, errors = np.zeros(c), np.full(c, np.inf)
-    if not is_sought.any():
-        return slopes, errors
-    factors, shifts = common.factors(series.conditions), common.shifts(series.conditions)
-    by = means[series.unit] * factors if common.relative else np.ones_like(factors)
-    left = series.value - means[series.unit] * factors - shifts
-    size = np.sqrt(series.variance + (common.between_logs * factors) ** 2)
-    weight = np.minimum(1.0, OUTLIER * size / np.maximum(np.abs(left), 1e-300)) / size**2
-    columns = [factors * 1.0, *(by * x for x in series.conditions[:, is_sought].T)]
-    total = np.bincount(series.unit, weight * columns[0] ** 2)
-
-    def within(x: Floats) -> Floats:
-        mean = np.bincount(series.unit, weight * columns[0] * x) / np.maximum(total, 1e-300)
-        return np.asarray(x - mean[series.unit] * columns[0])
-
-    A, b = np.stack([within(x) for x in columns[1:]]), within(left)
-    whole = np.array([float(weight @ x**2) for x in columns[1:]])
-    gram = (A * weight) @ A.T
-    use = np.diag(gram) > VARIES * whole  # within units
-    size_of = np.sqrt(np.diag(gram)[use])
-    inverse = np.linalg.pinv(gram[np.ix_(use, use)] / np.outer(size_of, size_of), rcond=COLLINEAR)
-    inverse /= np.outer(size_of, size_of)
-    at = np.flatnonzero(is_sought)[use]
-    slopes[at] = common.slopes[at] + inverse @ (A[use] @ (weight * b))
-    errors[at] = np.sqrt(np.maximum(np.diag(inverse), 0))
-    return slopes, errors
-
-
-def standardised(
-    several: Sequence[Mapping[str, float]],
-) -> tuple[tuple[str, ...], Floats, Floats]:
-    """Names of the conditions of logs, their means [c], and conditions less these [K, c]; 0 where a log has
-    none of a name."""
-    names = tuple(sorted({name for one in several for name in one}))
-    values = np.array([[one.get(name, np.nan) for name in names] for one in several], dtype=np.float64)
-    values = values.reshape(len(several), len(names))
-    with np.errstate(all="ignore"):
-        means = np.array([np.mean(x[np.isfinite(x)]) if np.isfinite(x).any() else 0.0 for x in values.T])
-    return names, means, np.nan_to_num(values - means) if len(names) else values
+def freedom_of(ratios: Sequence[tuple[float, int]]) -> float:
+    """How many degrees of freedom the usual variance counts beside a unit's own (Smyth 2004), by how much
+    variances of sets of logs scatter."""
+    if len(ratios) < 2 * _FEWEST:
+        return 3.0
+    logarithm, freedom = np.array(ratios).T
+    scatter = (_MAD * float(np.median(np.abs(logarithm - np.median(logarithm))))) ** 2
+    beyond = max(scatter - float(np.mean(special.polygamma(1, freedom / 2))), 0.05)
+    root = optimize.brentq(lambda x: float(special.polygamma(1, x)) - beyond, 0.05, 1e3)
+    return float(np.clip(2 * root, 1, 40))

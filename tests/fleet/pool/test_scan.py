@@ -1,0 +1,98 @@
+"""Names by chance: no more than stated where dates mean nothing, and shapes that compete."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from robodyn.fleet.pool.names import courses_of, permuted_of, sureness_of
+from robodyn.fleet.pool.population import population_of
+from robodyn.fleet.pool.programs import is_same, program_change
+from robodyn.fleet.pool.scan import Course
+
+DAY = 86400.0
+
+
+def fleet(seed: int, units: int = 20, drift: float = 0.0) -> Any:
+    """Readings of three features in units of up to three programs, which differ by more than logs do; the
+    first unit drifts in the first feature."""
+    rng = np.random.default_rng(seed)
+    counts = rng.integers(8, 13, units)
+    unit = np.repeat(np.arange(units), counts)
+    program = np.concatenate([rng.integers(int(rng.integers(1, 4)), size=k) for k in counts])
+    dates = np.concatenate([np.sort(rng.uniform(0, 365 * DAY, k)) for k in counts])
+    group = 8 * unit + program
+    population = []
+    for c in range(3):
+        value = rng.standard_normal(units)[unit] + 0.1 * rng.standard_normal(8 * units)[group]
+        value = value + 0.03 * rng.standard_t(5, len(unit))
+        value[unit == 0] += drift * (c == 0) * np.clip((dates[unit == 0] / DAY - 150) / 60, 0, 1)
+        nothing = np.zeros((len(unit), 0))
+        population.append(population_of(value, np.full(len(unit), 0.01), unit, group, nothing))
+    features = [SimpleNamespace(kind="friction", name=f"friction_{c}") for c in range(3)]
+    return SimpleNamespace(
+        features=features, population=population, units=list(map(str, range(units))), unit=unit, dates=dates,
+        group=group, logs_of=lambda u: np.flatnonzero(unit == u),
+    )  # fmt: skip
+
+
+def named(model: Any) -> set[int]:
+    courses = courses_of([model])
+    sureness = sureness_of([model], courses, permuted_of([model], courses))
+    return {unit for (_, unit), sure in sureness.items() if sure.q <= 0.05}
+
+
+@pytest.mark.thorough
+def test_a_drift_is_named_and_chance_is_not() -> None:
+    assert named(fleet(1, drift=0.5)) == {0}
+    assert sum(bool(named(fleet(seed))) for seed in range(2, 12)) <= 1
+
+
+def course(value: np.ndarray) -> Course:
+    """Of readings of one program, a log every ten days."""
+    K = len(value)
+    values = np.concatenate([value, 0.1 * np.random.default_rng(1).standard_normal(60)])
+    unit = np.repeat(np.arange(7), [K, *[10] * 6])
+    one = population_of(values, np.full(K + 60, 0.01), unit, unit, np.zeros((K + 60, 0)))
+    return Course(np.arange(K), 10 * DAY * np.arange(K), np.zeros(K, dtype=int), one, 3.0)
+
+
+def test_one_odd_log_is_no_change_and_a_step_is() -> None:
+    noise = 0.1 * np.random.default_rng(2).standard_normal(12)
+    odd, step = noise.copy(), noise.copy()
+    odd[5] += 5.0
+    step[6:] += 1.0
+    assert course(odd).observed < 2
+    assert int(np.argmax(course(odd).odd)) == 5
+    stepped = course(step)
+    assert stepped.observed > 30
+    best = int(np.argmax(stepped.gains(stepped.shapes.share)))
+    size, error = stepped.amount(stepped.shapes.share[best])
+    assert size == pytest.approx(1.0, abs=4 * error)
+    assert stepped.holds(stepped.shapes.share[best], size)
+    assert not course(noise).holds(stepped.shapes.share[best], 1.0)
+
+
+def path(seed: int, part: float = 1.0) -> np.ndarray:
+    """A closed path through joint space [200, 3], or a part of it, with what sensors add."""
+    drawn = np.random.default_rng(seed)
+    t = np.linspace(0, 2 * np.pi * part, 200)[:, None]
+    waves = sum(drawn.uniform(-1, 1, 3) * np.sin((k + 1) * t + drawn.uniform(0, 6, 3)) for k in range(2))
+    return np.asarray(waves + 0.01 * np.random.default_rng(0).standard_normal((200, 3)))
+
+
+def test_programs_are_told_by_their_paths() -> None:
+    assert is_same((path(1), 0.12), (path(1), 0.12))
+    assert is_same((path(1), 0.12), (path(1, part=0.6), 0.12))
+    assert not is_same((path(1), 0.12), (path(2), 0.12))
+
+
+def test_a_change_of_program_is_one_that_does_not_come_back() -> None:
+    assert program_change(np.array([0, 0, 0, 0, 1, 1, 1, 1]), 0.3, 1) == 4
+    assert program_change(np.array([0, 1, 0, 0, 1, 0, 1, 1]), 0.3, 1) is None
+    assert program_change(np.array([0, 0, 0, 0, 0, 0, 0, 1]), 0.01, 1) is None  # one log is none yet
+    assert program_change(np.array([0, 0, 0, 1, 1]), 0.5, 1) is None  # two programs in turn look so by chance
+    assert program_change(np.array([0, 0, 0, 1, 1]), 0.01, 1) == 3
