@@ -11,6 +11,7 @@ import click
 
 from robodyn.errors import InputError
 from robodyn.outputs import check_outputs, write_files
+from robodyn.tools.libraries import DISTRIBUTED, PYARROW
 from robodyn_cli import progress
 from robodyn_cli.choices import FILE, FOLDER
 from robodyn_cli.decorators import flag, option
@@ -25,18 +26,20 @@ if TYPE_CHECKING:
     from robodyn.fleet.sources.fleet import Fleet
 
 _DATA, _TABLE, _PAGE = "fleet.json", "fleet.parquet", "index.html"
+#: The word for a proposal, in the place of a fleet.
+_INIT: Final = "init"
 #: Pages of units that are in memory together.
 _PAGES: Final = 100
 
 
 @click.command()
 @click.argument("fleet", type=FILE, metavar="FLEET")
-@option("-o --output --out=DIR out", "Output folder.", FOLDER, required=True)
+@click.argument("folder", type=FOLDER, metavar="[FOLDER]", required=False)
+@option("-o --output --out=DIR out", "Output folder.", FOLDER)
 @option(
     "--on=WHERE",
     "Where the work runs: here (in this process), local[:N] (N processes of this machine; without N "
-    "one for each core), or dask://HOST:PORT (a scheduler of Dask).",
-    default="local",
+    "one for each core), or dask://HOST:PORT (a scheduler of Dask).  [default: local, or here without Dask]",
 )
 @option(
     "--diagnose", "Units that get a full diagnosis of their logs.", ["named", "all", "none"], default="named"
@@ -50,7 +53,9 @@ _PAGES: Final = 100
 @option("--tls-cert=FILE", "Own certificate for dask:// (PEM).", FILE)
 @option("--tls-key=FILE", "Its key (PEM).  [default: in the file of --tls-cert]", FILE)
 @flag("--no-parquet", "Do not write fleet.parquet, which needs pyarrow.")
-def command(fleet: str, out: str, on: str, no_parquet: bool, **options: Any) -> None:
+def command(
+    fleet: str, folder: str | None, out: str | None, on: str | None, no_parquet: bool, **options: Any
+) -> None:
     """Find the arms of a fleet that differ from their siblings or have changed.
 
     FLEET is a file such as fleet.toml, which says what types of arms there are and where their logs lie, or a
@@ -58,18 +63,52 @@ def command(fleet: str, out: str, on: str, no_parquet: bool, **options: Any) -> 
     DIR, so that a second run reads new logs only. The command writes fleet.json, fleet.parquet, index.html
     (one page, no network access) and a page for each unit in units/ to DIR. The exit code is 0 whether units
     are named or not: a script looks at fleet.json. The same input gives the same files.
+
+    `robodyn fleet init FOLDER` proposes a fleet.toml from the names of the logs in FOLDER, prints it and
+    writes it there.
     """
+    if fleet == _INIT:
+        _propose(folder)
+        return
+    if folder is not None:
+        raise click.UsageError(f"Got unexpected extra argument ({folder})")
+    if out is None:
+        raise click.UsageError("Missing option '-o' / '--output' / '--out'.")
+    _compare(fleet, out, on, no_parquet, options)
+
+
+def _propose(folder: str | None) -> None:
+    """Print a proposal for fleet.toml, and write it where there is none."""
+    from robodyn.fleet.sources.proposal import propose_fleet
+    from robodyn.fleet.sources.reading import FILE as NAME
+
+    if folder is None or not Path(folder).is_dir():
+        raise InputError("there is no such folder", found=folder, expected="robodyn fleet init FOLDER")
+    check_outputs(Path(folder), (NAME,))
+    proposal = propose_fleet(Path(folder))
+    write_files(Path(folder), {NAME: proposal.text})
+    click.echo(proposal.text.rstrip())
+    for remark in proposal.remarks:
+        talk(f"robodyn: note: {printable(remark)}")
+    talk(f"robodyn: {printable(Path(folder) / NAME)} is written: look through it, then run robodyn fleet")
+
+
+def _compare(fleet: str, out: str, on: str | None, no_parquet: bool, options: Mapping[str, Any]) -> None:
+    """Read, digest and compare the logs, and write the results."""
     from robodyn.cluster import check_place
     from robodyn.fleet.sources.reading import read_fleet
     from robodyn.formats.loading import load
 
+    if on is None:
+        on = "local" if DISTRIBUTED.present() else "here"
+        if on == "here":
+            talk("robodyn: note: one process works; pip install 'robodyn[fleet]' for several")
     check_place(on)
     folder = output_folder(out)
     security = _security(options, on)
-    if not no_parquet:
-        from robodyn.fleet.table import check_parquet
-
-        check_parquet("add --no-parquet")
+    if not no_parquet and not PYARROW.present():
+        talk("robodyn: note: fleet.parquet is left out: it needs pip install 'robodyn[fleet]'")
+        no_parquet = True
     false_names = options["false_names"]
     if false_names is not None and not false_names < 1:
         raise InputError("--false-names is not a share", found=f"{false_names:g}", expected="less than 1")

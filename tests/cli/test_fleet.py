@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 
 import pytest
 
 from fleet.small_fleet import NAME, write_log
 from robodyn.fleet.as_json import fleet_schema
+from robodyn.fleet.sources.reading import read_fleet
+from robodyn.formats.loading import text_of
 from robodyn.tools.libraries import PYARROW
 from robodyn_cli.main import main
 from robodyn_testing import require_module
@@ -100,14 +101,14 @@ def test_what_cannot_be_is_refused(
     assert not (here / "out" / "index.html").exists()
 
 
-def test_what_parquet_needs_is_asked_for_before_the_work(
+def test_the_plain_install_runs_a_fleet_and_says_what_is_missing(
     logs: Path, here: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(sys.modules, PYARROW.module, None)
-    assert main(["fleet", str(logs), "-o", "out"]) == 3
-    assert "or add --no-parquet" in capsys.readouterr().err
-    assert not (here / "out").exists()
-    assert main(["fleet", str(logs), "-o", "out", "--on", "here", "--no-parquet", "--diagnose", "none"]) == 0
+    monkeypatch.setattr(type(PYARROW), "present", lambda _: False)
+    assert main(["fleet", str(logs), "-o", "out", "--diagnose", "none"]) == 0
+    messages = capsys.readouterr().err
+    assert "one process works" in messages
+    assert "fleet.parquet is left out: it needs pip install 'robodyn[fleet]'" in messages
     assert sorted(path.name for path in (here / "out").iterdir()) == [
         ".robodyn.sha256", "fleet.json", "index.html", "store.sqlite", "units",
     ]  # fmt: skip
@@ -125,3 +126,27 @@ def test_a_log_is_not_written_over(here: Path, capsys: Capture) -> None:
     assert main(["fleet", "fleet.toml", "-o", "out"]) == 2
     assert "is an input and would be overwritten" in capsys.readouterr().err
     assert (here / "out" / "fleet.json").read_text() == "{}"
+
+
+def test_a_flat_folder_gets_a_fleet_toml(here: Path, capsys: Capture) -> None:
+    folder = here / "flat"
+    folder.mkdir()
+    (folder / f"{NAME}.yaml").write_text(text_of(NAME), encoding="utf-8")
+    for arm in ("A-17", "B_2"):
+        for day in DAYS:
+            write_log(folder / f"{arm}_{day}.csv", 3)
+    (folder / "notes.csv").write_text("", encoding="utf-8")
+    assert main(["fleet", "init", "flat"]) == 0
+    captured = capsys.readouterr()
+    text = (folder / "fleet.toml").read_text(encoding="utf-8")
+    assert captured.out.strip() == text.strip()
+    assert 'files = "{unit}_{date}.csv"' in text
+    assert "left out: 1 of 5 logs" in captured.err
+    fleet = read_fleet(folder)
+    assert [(log.type, log.unit) for log in fleet.logs] == [
+        (NAME, arm) for arm in ("A-17", "B_2") for _ in DAYS
+    ]
+    (folder / "fleet.toml").write_text("mine", encoding="utf-8")
+    assert main(["fleet", "init", "flat"]) == 2  # a file of the user's stays
+    assert main(["fleet", "init", "none"]) == 2
+    assert main(["fleet", "flat"]) == 2

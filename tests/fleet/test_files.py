@@ -16,7 +16,7 @@ from report.made_up import fleet, of_one
 from robodyn.errors import ToolError
 from robodyn.fleet.as_json import DESCRIPTIONS, document, fleet_schema, text
 from robodyn.fleet.result import FleetResult, address, unit_folder
-from robodyn.fleet.table import COLUMNS, check_parquet, parquet, rows_of
+from robodyn.fleet.table import COLUMNS, parquet, rows_of
 from robodyn.tools.libraries import PYARROW
 from robodyn_cli.main import main
 from robodyn_testing import require_module
@@ -128,8 +128,8 @@ def test_a_number_that_is_none_is_null_in_the_table(small: FleetResult) -> None:
 
 def test_without_pyarrow_there_is_a_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, PYARROW.module, None)
-    with pytest.raises(ToolError, match=r"pyarrow.*, or add --no-parquet"):
-        check_parquet("add --no-parquet")
+    with pytest.raises(ToolError, match="pyarrow"):
+        parquet(fleet(3, 0))
 
 
 def test_the_command_prints_the_schema(capsys: pytest.CaptureFixture[str]) -> None:

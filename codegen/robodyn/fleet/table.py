@@ -67,17 +67,6 @@ COLUMNS: Final[dict[str, tuple[Kind, Callable[[Cells], Any]]]] = {
 null for the whole arm; what is claimed is null where nothing is."""
 
 
-def check_parquet(otherwise: str) -> None:
-    """Ask for what writes Parquet before long work begins; ``otherwise`` is what helps as well.
-
-    Raises
-    ------
-    ToolError: it is not installed.
-    """
-    PYARROW.load(otherwise=otherwise)
-    PYARROW.load("parquet", otherwise=otherwise)
-
-
 def parquet(result: FleetResult) -> bytes:
     """The table of ``result`` as Parquet; the same bytes from the same result, by one version of pyarrow.
 

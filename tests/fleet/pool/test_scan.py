@@ -57,7 +57,8 @@ def course(value: np.ndarray) -> Course:
     values = np.concatenate([value, 0.1 * np.random.default_rng(1).standard_normal(60)])
     unit = np.repeat(np.arange(7), [K, *[10] * 6])
     one = population_of(values, np.full(K + 60, 0.01), unit, unit, np.zeros((K + 60, 0)))
-    return Course(np.arange(K), 10 * DAY * np.arange(K), np.zeros(K, dtype=int), one, 3.0)
+    days = 10 * DAY * np.arange(K, dtype=np.float64)
+    return Course(np.arange(K), days, np.zeros(K, dtype=int), one, 3.0)
 
 
 def test_one_odd_log_is_no_change_and_a_step_is() -> None:

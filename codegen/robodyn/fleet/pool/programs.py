@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from robodyn.fleet.digest import Digest
-from robodyn.fleet.limits import COVERED, FALSE_NAMES, PART_COVERED
+from robodyn.fleet.limits import COVERED, FALSE_NAMES, PART_COVERED, PERMUTATIONS
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -71,20 +71,22 @@ def program_change(programs: Indices, usually: float, seed: int) -> int | None:
     """From which log on (of those of a unit, by date, from 2 on) it runs none of the ``programs`` [K] that it
     ran before; None where it never does, or where programs that take turns could look so by chance.
     ``usually``: the share of successive logs in the fleet that are of two programs."""
-    place = _split(programs)
-    if place is None:
+    place, shorter = _split(programs)
+    if not shorter:
         return None
     rng = np.random.default_rng(seed)
-    chance = np.mean([_split(rng.permutation(programs)) is not None for _ in range(200)])
+    chance = np.mean([_split(rng.permutation(programs))[1] >= shorter for _ in range(PERMUTATIONS)])
     return place if min(float(chance), usually) <= FALSE_NAMES else None
 
 
-def _split(programs: Indices) -> int | None:
-    """The first log from which on, for two logs or more, no program of those before comes back."""
+def _split(programs: Indices) -> tuple[int, int]:
+    """The log from which on no program of those before comes back, and how many logs there are on the shorter
+    side of it, at least two; of several that with most, of none 0."""
+    best = (0, 0)
     for k in range(2, len(programs) - 1):
         if not np.isin(programs[k:], programs[:k]).any():
-            return k
-    return None
+            best = max(best, (k, min(k, len(programs) - k)), key=lambda one: one[1])
+    return best
 
 
 def switching(units: Indices, programs: Indices) -> float:

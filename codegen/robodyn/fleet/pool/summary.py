@@ -188,7 +188,9 @@ def _course_text(claim: Claim, unit: UnitResult) -> str:
     weeks = (unit.last - claim.since) / (7 * _DAY)
     span = f"{weeks:.0f} weeks" if weeks >= 2 else f"{max(weeks * 7, 1):.0f} days"
     rising = "rising" if claim.size > 0 else "falling"
-    return f"{rising} for {span}" if claim.shape == "drift" and claim.until is None else f"changed {span} ago"
+    return (
+        f"{rising} for {span}" if claim.shape == "drift" and claim.until is None else f"it began {span} ago"
+    )
 
 
 def _margin(claim: Claim, unit: UnitResult, model: TypeModel) -> tuple[float, str]:
