@@ -76,11 +76,14 @@ def foretells(one: Fit, other: Fit) -> float:
     return float((held_out(other) - held_out(one)).sum() / 2)
 
 
-def is_no_more(pair: Trial, other: Trial) -> bool:
-    """Whether a coupled ``pair`` of joints takes away no more than an ``other`` candidate that is worth a
-    name, at the joint where that is most."""
-    ratio = (pair.after / np.maximum(other.after, 1e-300)).min()
-    return pair.family.first.definition.level == "pair" and bool(1 - np.sqrt(ratio) < PRACTICAL)
+def is_level(one: Trial, best: Trial, threshold: float) -> bool:
+    """Whether it foretells as much as the ``best``: within a standard error (Breiman et al. 1984), or but for
+    what of so many would be chance, the ``threshold`` [nats]; or, where the best couples joints, which is
+    rare, but for what is worth no name at the joint where that is most."""
+    if ahead(best.gains - one.gains) <= 1 or best.gain - one.gain < threshold:
+        return True
+    ratio = (best.after / np.maximum(one.after, 1e-300)).min()
+    return best.family.first.definition.level == "pair" and bool(1 - np.sqrt(ratio) < PRACTICAL)
 
 
 def special_cases(id: str) -> set[str]:

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robodyn.diagnose.select.compare import (
-    ahead,
     foretells,
-    is_no_more,
+    is_level,
     is_of_link,
     is_other_law,
     is_sum_of_others,
@@ -71,9 +70,7 @@ class Search:
         return one.is_possible and one.gain > self.threshold and bool(one.drop > max(PRACTICAL, rare))
 
     def choice(self, tried: Iterable[Trial]) -> Trial | None:
-        """The simplest of those that pass and foretell as much as the best: within a standard error (Breiman
-        et al. 1984), or but for what of so many would be chance; or, where joints are coupled, which is rare,
-        but for what is worth no name."""
+        """The simplest of those that pass and foretell as much as the best."""
         tried = list(tried)
         good = [one for one in tried if self.passes(one) and not is_sum_of_others(one, tried)]
         if not good:
@@ -85,11 +82,7 @@ class Search:
             if self.is_worth(one)
             and not is_sum_of_others(one, tried)
             and overlap(one, best) > OVERLAP
-            and (
-                ahead(best.gains - one.gains) <= 1
-                or best.gain - one.gain < self.threshold
-                or is_no_more(best, one)
-            )
+            and is_level(one, best, self.threshold)
         ]
         return min(near, key=lambda one: (one.family.order, -one.gain))
 
@@ -112,8 +105,7 @@ class Search:
         while len(fit.model.members) < MOST_MEMBERS:
             tried = self.tried(fit)
             best = self.choice(tried)
-            rubs = self.where_it_rubs(fit, tried, best)
-            if rubs is not None:
+            if (rubs := self.where_it_rubs(fit, tried, best)) is not None:
                 fit = rubs
                 continue
             speeds = likelier_speeds(fit, self.rows.expected, self.threshold, best)
@@ -130,9 +122,9 @@ class Search:
                     break
                 fit = again
                 continue
-            wider = widened(fit, self.threshold, best) if is_of_link(best.family.first) else None
-            if wider is not None:
-                fit = wider
+            more = widened(fit, self.threshold, best) if is_of_link(best.family.first) else None
+            if more is not None:
+                fit = more
                 continue
             more = self.with_family(fit, best)
             if more is None or more.cost > fit.cost - self.threshold / 2:
@@ -184,15 +176,14 @@ class Search:
         return replace(one, is_possible=is_longer and one.gain - plain.gain > self.threshold)
 
     def where_it_rubs(self, fit: Fit, tried: Sequence[Trial], best: Trial | None) -> Fit | None:
-        """The fit, of rows at rest that say a set at one more joint that shows dry friction in motion: if
-        the ``best`` of those ``tried`` is a law of dissipation there, or one foretells more so than that."""
+        """The fit with rows at rest that say a set at one more joint, which shows dry friction in motion: if
+        the ``best`` of those ``tried`` is a law of dissipation there, or one foretells more so."""
         before = max([foretold_by(fit), *([] if best is None else [foretold_by(fit, best)])])
         for j in np.flatnonzero(self.dry):
             if best is not None and j != best.at.argmax():
                 continue
-            rows = replace(
-                self.rows, level=self.rows.level + np.where(np.arange(self.rows.n) == j, self.dry, 0.0)
-            )
+            more = np.where(np.arange(self.rows.n) == j, self.dry, 0.0)
+            rows = replace(self.rows, level=self.rows.level + more)
             other = fitted(replace(fit.model, rows=rows, _known={}))
             if other is None:
                 continue
@@ -208,8 +199,7 @@ class Search:
 
     def speeds_of_plain(self, fit: Fit, tried: Sequence[Trial], best: Trial) -> Floats | None:
         """Speeds [n] below which directions are not resolved, if plain dry friction with these foretells no
-        less than the ``best`` one, a law of dissipation at that joint, with its likeliest: laws are compared
-        where a joint that sticks is taken for what it is."""
+        less than the ``best`` one, a law of dissipation at that joint, with its likeliest."""
         joint = best.family.first.joint
         if joint in self.plain or not best.family.first.definition.dissipative:
             return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from math import nan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,7 +41,9 @@ def type_result(model: TypeModel) -> TypeResult:
         mean = one.stated(population.level)
         factor = mean if one.is_logarithm else 1.0
         slopes = dict(zip(model.conditions, (factor * population.slopes).tolist(), strict=False))
-        between = factor * population.between_units, factor * float(np.sqrt(population.between_logs))
+        units, logs = population.between_units, float(np.sqrt(population.between_logs))
+        # One object for what is not known: answers are compared, and nan is not equal to nan.
+        between = (factor * units if np.isfinite(units) else nan, factor * logs if np.isfinite(logs) else nan)
         shown = int(np.isfinite(population.value).sum())
         features.append(Feature(one.name, one.effects, one.joint, one.unit, mean, *between, slopes, shown))
     robot = model.robot
