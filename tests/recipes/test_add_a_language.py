@@ -25,7 +25,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Copy:
 
 def test_help_and_errors_know_the_language(copy: Copy) -> None:
     assert re.search(r"python \(py\)", copy.robodyn("gen", "--help"))
-    expected = "one of c, fortran, javascript, python, rust"
+    expected = "one of c, cuda, fortran, javascript, python, rust"
     assert expected in copy.robodyn("gen", "puma560", "--lang", "basic", code=2)
     assert "did you mean 'python'?" in copy.robodyn("gen", "puma560", "--lang", "pyton", code=2)
 

@@ -106,10 +106,10 @@ class Model:
     def slopes(self, left: Floats) -> Floats:
         """What the model's torques [N, n, P] change by each number."""
         exact, parts = self.exact, []
-        may_keep = not any(_changes_others(one) for one in exact)
+        is_kept = not any(CATALOGUE[one.key[0]].traits.reevaluate for one in exact)
         for k, name in self.places:
             value = float(exact[k].parameters[name])
-            kept = exact[k].of_slope(name) if may_keep else None
+            kept = exact[k].of_slope(name) if is_kept and not _is_behind(exact[k], exact) else None
             if kept in self._known:
                 parts.append(self._known[kept])
                 continue
@@ -132,10 +132,10 @@ class Model:
         return columns, held
 
 
-def _changes_others(one: Member) -> bool:
-    """Whether what other effects do depends on it."""
-    effect = CATALOGUE[one.key[0]]
-    return effect.traits.reevaluate or effect.needs_load
+def _is_behind(one: Member, members: Iterable[Member]) -> bool:
+    """Whether it acts in a gear, behind bearings that are among the ``members``: their friction passes it."""
+    places = {CATALOGUE[id].place for id, joint in (each.key for each in members) if joint == one.key[1]}
+    return CATALOGUE[one.key[0]].place == "gear" and "bearing" in places
 
 
 def _left(rows: Rows, amendments: Sequence[Amendment]) -> Floats | None:
