@@ -115,17 +115,21 @@ def _device(results: Row) -> str:
     )
 
 
-def write(results: Row) -> None:
-    """The results, and the table of the page."""
-    RESULTS.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+def markdown(results: Row) -> str:
+    """The page of all results."""
     spilled = [row for row in results["compiled"] if row["sm_90"]["spilled"]]
     names = [f"`{row['function']}` of `{row['arm']}` in {row['scalar']}" for row in spilled]
-    text = (
+    return (
         f"# CUDA\n\n{results['nvcc']}. Registers a thread, of 255 at most, and bytes of spilled registers, "
         f"stored and loaded. Spilled on sm_90: {', '.join(names) or 'nothing'}.\n\n{_device(results)}\n\n"
         f"{table(results)}\n"
     )
-    RESULTS.with_suffix(".md").write_text(text, encoding="utf-8")
+
+
+def write(results: Row) -> None:
+    """The results, and the table of the page."""
+    RESULTS.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    RESULTS.with_suffix(".md").write_text(markdown(results), encoding="utf-8")
     page = PAGE.read_text(encoding="utf-8")
     PAGE.write_text(with_part(page, "cuda kernels", table(results, SHOWN)), encoding="utf-8")
 

@@ -85,7 +85,7 @@ BODY_SHARE: Final = 0.3
 ANY_NUMBER: Final = 1e4
 """[-] and any number of a drive be so many times what is usual of it."""
 
-SEEN: Final[Mapping[str, float]] = {"friction": 0.10, "gain": 0.05, "bias": 0.25, "play": 0.3, "body": 0.02}
+SEEN: Final[Mapping[str, float]] = {"friction": 0.10, "gain": 0.05, "offset": 0.25, "play": 0.3, "body": 0.02}
 """[share] A log shows a feature if its standard error is smaller: of friction and of a bias beside the
 friction of the joint, of a body beside the arm's mass. A change of three of them shows in one log."""
 

@@ -18,7 +18,7 @@ from robodyn.fleet.pool.population import known_median
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
-Kind = Literal["friction", "bias", "gain", "play", "unexplained", "body"]
+Kind = Literal["friction", "offset", "gain", "play", "unexplained", "body"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,7 @@ def watched(robot: Robot) -> tuple[Watched, ...]:
         torque = "N m" if link.joint.kind == "revolute" else "N"
         features += [
             Watched(f"friction_{j}", "friction", j, torque, (COULOMB.id, VISCOUS.id)),
-            Watched(f"{BIAS.id}_{j}", "bias", j, torque, (BIAS.id,)),
+            Watched(f"{BIAS.id}_{j}", "offset", j, torque, (BIAS.id,)),
             Watched(f"{GAIN.id}_{j}", "gain", j, "-", (GAIN.id,)),
             Watched(f"play_{j}", "play", j, "-", (BACKLASH.id,)),
             Watched(f"unexplained_{j}", "unexplained", j, "-", ()),
@@ -84,9 +84,9 @@ def readings_of(
         moves, worth = numbers.worth[:, j] > 0, np.maximum(numbers.worth[:, j], 1)
         if one.kind == "friction":
             value, error, most = np.log(np.maximum(level[:, j], 1e-300)), share[:, j], SEEN["friction"]
-        elif one.kind == "bias":
+        elif one.kind == "offset":
             value, error = _of_place(numbers, numbers.places.offset(j))
-            most = SEEN["bias"] * float(usual[j])
+            most = SEEN["offset"] * float(usual[j])
         elif one.kind == "gain":
             value, error = _of_place(numbers, numbers.places.gain(j))
             most = SEEN["gain"]

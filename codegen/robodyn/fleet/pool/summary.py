@@ -175,7 +175,7 @@ def _action(claim: Claim, unit: UnitResult, model: TypeModel) -> tuple[float, st
     if kind == "body":
         way = "enter the payload" if claim.size > 0 else "enter the payload that is gone"
         return 3.2, f"{way} of {where}, {claim.size:+.2g} kg, or look for what hangs at its tip"
-    if kind in ("gain", "bias"):
+    if kind in ("gain", "offset"):
         return 2.5, f"check torque sensor and motor constant of {where}"
     if kind == "unexplained":
         return 2.2 + goes_on, f"look at {where}: its torque is less and less explained; see its diagnosis"
