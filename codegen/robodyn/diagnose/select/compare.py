@@ -56,9 +56,9 @@ def is_sum_of_others(one: Trial, tried: Sequence[Trial]) -> bool:
 
 
 def is_of_link(candidate: Candidate) -> bool:
-    """Whether it is an error of one link's numbers."""
+    """Whether it is an error of one link's numbers, or a load, which is a part of the last link."""
     fold = candidate.definition.traits.fold
-    return fold is not None and fold.into == "link"
+    return candidate.definition.traits.body or (fold is not None and fold.into == "link")
 
 
 def ahead(gains: Floats) -> float:

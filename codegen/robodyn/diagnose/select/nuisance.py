@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.compare import ahead, foretells
 from robodyn.diagnose.select.library import regressor_seen
-from robodyn.diagnose.select.limits import LEAST_SHOWN, PRACTICAL, RIVAL, SHARES
+from robodyn.diagnose.select.limits import LEAST_SHOWN, PRACTICAL, SHARES
 from robodyn.diagnose.select.members import Fit, Model, fitted
 from robodyn.diagnose.select.prior import prior_scales
 from robodyn.diagnose.select.rows import Rows
@@ -59,7 +59,7 @@ def widened(fit: Fit, threshold: float, best: Trial | None = None) -> Fit | None
         gains = (before - after).sum(axis=1) / 2
         drop = 1 - np.sqrt((after.sum(axis=0) / np.maximum(before.sum(axis=0), 1e-300)).min())
         lead = gains if best is None else np.minimum(gains, gains - best.gains)
-        if lead.sum() > threshold and ahead(lead) > (1 if best is None else RIVAL) and drop > PRACTICAL:
+        if lead.sum() > threshold and ahead(lead) > 1 and drop > PRACTICAL:
             choices.append((float(gains.sum()), other))
     if not choices:
         return None
