@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 
 import numpy as np
 import pytest
-from benchmarks.blind_arms.arms import bare, rubbing
+from benchmarks.blind_arms.arms import bare
 from benchmarks.blind_arms.pushed import Kind, Push, Pushed, pushed_log
 
 from peers.numbers import Array
@@ -19,9 +19,10 @@ from robodyn.diagnose.settle import Logs
 from robodyn.dynamics.kinematics import frames
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import inspect
+from robodyn.identify.contact.bursts import _level
 from robodyn.identify.contact.contact import Contact, contacts, without_rows
 from robodyn.identify.contact.force import Push as Pressed
-from robodyn.identify.contact.force import push_in
+from robodyn.identify.contact.force import Window, push_in
 from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import EffectEntry
 
@@ -145,9 +146,8 @@ def pressed(link: int, place: float, force: Array, q: Array) -> Pressed:
         torque[j] = -np.cross(axis, point - origin) @ force
     K = 40
     noise = 0.05 * np.random.default_rng(1).standard_normal((K, 6))
-    pushed = push_in(model, np.tile(q, (K, 1)), torque + noise, np.full(6, 0.02), zeros[0])
-    assert pushed is not None
-    return pushed
+    window = Window(np.tile(q, (K, 1)), torque + noise, np.full((K, 6), 0.05), zeros[0], zeros[0], 0.02)
+    return push_in(model, window)
 
 
 def test_a_direction_is_known_only_where_the_joints_show_it() -> None:
@@ -173,52 +173,6 @@ def test_what_stiction_holds_after_a_push_is_not_of_its_window() -> None:
         tau[(t >= start) & (t < end)] += size * np.array([1.0, 0.5, 0.3])
     seen = contacts(bare("puma560_3dof"), replace(gate, log=replace(gate.log, tau=tau)))
     assert [(round(one.start, 1), round(one.end, 1)) for one in seen] == [(2.0, 2.5), (6.0, 6.5)]
-
-
-def test_jitter_of_encoders_at_rest_is_no_torque_of_the_friction_that_is_known() -> None:
-    """An arm with known friction stands: the sign of a speed that is noise says nothing, and pushes are
-    found."""
-    made = pushed_log("ur10", "rest", 1, pushes=4, duration=20.0, inertia_error=0.0, varied=True, sticks=True)
-    known = rubbing(bare("ur10"))
-    seen = contacts(known, inspect(made.log, known))
-    assert len(seen) == 4
-    assert all(one is not None for _, one in matched(made, seen))
-
-
-def beside(kind: Kind, extra: Callable[[Array], Array]) -> tuple[Contact, ...]:
-    """What is found in a log of an arm that nobody pushes, with torques [N m] ``extra`` of the time."""
-    made, _ = found("puma560", kind, 1, pushes=0)
-    gate = inspect(made.log, made.given)
-    tau = gate.log.tau + extra(gate.log.t)
-    return contacts(made.given, replace(gate, log=replace(gate.log, tau=tau)))
-
-
-@pytest.mark.parametrize("kind", ["rest", "full"])
-def test_a_load_that_stays_is_no_contact(kind: Kind) -> None:
-    way = 15.0 * np.array([0.0, 1.0, 0.6, 0.0, 0.1, 0.0])
-    assert beside(kind, lambda t: (t > 5.0)[:, None] * way) == ()
-    assert len(beside(kind, lambda t: ((t > 5.0) & (t < 5.6))[:, None] * way)) == 1
-
-
-def test_what_one_joint_does_alone_in_motion_is_no_contact() -> None:
-    assert beside("full", lambda t: 30.0 * ((t > 5.0) & (t < 5.4))[:, None] * np.eye(6)[2]) == ()
-
-
-def test_a_force_that_stands_out_less_than_what_the_motion_makes_is_no_contact() -> None:
-    """The same push beside bursts of joints that move."""
-    way = 15.0 * np.array([0.0, 1.0, 0.6, 0.0, 0.1, 0.0])
-    bursts = np.arange(1.0, 9.5, 0.7)
-    signs = (
-        np.random.default_rng(1).standard_normal((len(bursts), 6)) * 30.0 * np.array([1, 2, 1, 0.1, 0.1, 0.1])
-    )
-
-    def extra(t: Array) -> Array:
-        result = ((t > 5.0) & (t < 5.3))[:, None] * way
-        for a, x in zip(bursts, signs, strict=True):
-            result = result + ((t > a) & (t < a + 0.2))[:, None] * x
-        return np.asarray(result)
-
-    assert not [one for one in beside("full", extra) if 4.9 < one.start < 5.4]
 
 
 @pytest.mark.thorough
@@ -259,3 +213,9 @@ def test_how_often_pushes_are_found() -> None:
         "direction": 0.95,
     }
     assert {name for name, x in shares.items() if x < least[name]} == set(), shares
+
+
+def test_a_stretch_at_rest_may_be_a_single_row() -> None:
+    """Its level is what that row says."""
+    assert _level(np.array([3.0])) == 3.0
+    assert _level(np.array([1.0, 3.0])) == 2.0

@@ -68,16 +68,18 @@ def standing(
 ) -> tuple[Touched, ...]:
     """The contacts in whose windows the model that was found leaves [K, n] clearly more than elsewhere: what
     an effect explains that was named since is no contact. ``logs`` by what each contact says of its own."""
-
-    def stands(one: Touched) -> bool:
+    kept = []
+    for one in touched:
         gate = logs[one.log]
-        rows = within(gate, one.contact), beyond(gate, touched, one.log)
-        if not all(each.any() for each in rows):
-            return True
-        loud, usual = (np.mean(left(gate)[each] ** 2, axis=0) for each in rows)
-        return bool(np.any(loud > CONTACT_LOUD**2 * usual))
-
-    return tuple(one for one in touched if stands(one))
+        inside, outside = within(gate, one.contact), beyond(gate, touched, one.log)
+        rest = left(gate)
+        if not inside.any() or not outside.any():
+            kept.append(one)
+            continue
+        loud, usual = (np.sqrt(np.mean(rest[rows] ** 2, axis=0)) for rows in (inside, outside))
+        if np.any(loud > CONTACT_LOUD * usual):
+            kept.append(one)
+    return tuple(kept)
 
 
 def within(gate: Gate, contact: Contact) -> Mask:
@@ -87,10 +89,8 @@ def within(gate: Gate, contact: Contact) -> Mask:
 
 def beyond(gate: Gate, touched: Sequence[Touched], log: str) -> Mask:
     """The samples [K] of the ``log``, whose hash that is, in no window of its contacts among ``touched``."""
-    out = np.zeros(len(gate.log.t), dtype=bool)
-    for one in touched:
-        out |= within(gate, one.contact) & (one.log == log)
-    return np.asarray(~out)
+    windows = [within(gate, one.contact) for one in touched if one.log == log]
+    return np.asarray(~np.any([np.zeros(len(gate.log.t), dtype=bool), *windows], axis=0))
 
 
 def contact_findings(touched: Sequence[Touched]) -> tuple[Finding, ...]:
@@ -98,30 +98,38 @@ def contact_findings(touched: Sequence[Touched]) -> tuple[Finding, ...]:
     return tuple(_finding(one.contact, one.log) for one in touched)
 
 
-def _direction(cone: float) -> str:
-    """What is known of the direction of a contact's force by the ``cone`` [degrees] that holds it: where few
-    joints feel it, or friction keeps much of it from the motors, many directions make the same torques."""
-    if cone >= CONTACT_WIDE:
-        return "direction not identifiable, nor its sign: joints do not show enough of the force"
-    only = "" if cone <= CONTACT_NARROW else " only: joints do not show all of the force"
-    return f"direction known to {max(cone, 1.0):.0f} degrees{only}"
+def _direction(one: Contact) -> str:
+    """What is known of the direction of a contact's force: where few joints feel it, or friction keeps much
+    of it from the motors, many directions make the same torques."""
+    if one.cone <= CONTACT_NARROW:
+        return f"direction known to {max(one.cone, 1.0):.0f} degrees"
+    if one.cone < CONTACT_WIDE:
+        return f"direction known to {one.cone:.0f} degrees only: joints do not show all of the force"
+    return "direction not identifiable, nor its sign: joints do not show enough of the force"
+
+
+def _errors(one: Contact) -> Floats:
+    """Standard errors [3] of a contact's force, with what its window leaves open: the mean over it is smaller
+    where the ends are late, and by what the filter takes off the edges."""
+    share = 2 * CONTACT_EDGE / max(one.end - one.start, CONTACT_EDGE)
+    return np.asarray(np.hypot(one.stderr, share * one.force))
 
 
 def _finding(one: Contact, log: str) -> Finding:
-    # The mean over a window is smaller where its ends are late, and by what the filter takes off the edges.
-    share = 2 * CONTACT_EDGE / max(one.end - one.start, CONTACT_EDGE)
+    units = {parameter.name: parameter.unit for parameter in CONTACT.parameters}
     values: dict[str, tuple[float | str, float | None]] = {
         "start": (one.start, None),
         "end": (one.end, None),
         "link": (float(one.link), None),
+        **{
+            f"force_{axis}": (float(x), float(error))
+            for axis, x, error in zip("xyz", one.force, _errors(one), strict=True)
+        },
         "log": (log, None),
     }
-    for axis, x, error in zip("xyz", one.force, one.stderr, strict=True):
-        values[f"force_{axis}"] = float(x), math.hypot(error, share * x)
-    parameters = {each.name: Estimate(*values[each.name], each.unit) for each in CONTACT.parameters}
-    where = (
-        f"link {one.link}, {'at rest' if one.at_rest else 'in motion'}, {one.start:.2f} to {one.end:.2f} s"
-    )
-    where += f", {_direction(one.cone)}: {CONTACT.signature}"
+    parameters = {name: Estimate(x, error, units[name]) for name, (x, error) in values.items()}
+    state = "at rest" if one.at_rest else "in motion"
+    where = f"link {one.link}, {state}, {one.start:.2f} to {one.end:.2f} s, {_direction(one)}"
+    where += f": {CONTACT.signature}"
     gain = 100.0 * one.explained
     return Finding(CONTACT.id, None, parameters, CONTACT_CONFIDENCE, (), where, None, gain, math.inf)
