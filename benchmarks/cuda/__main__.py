@@ -57,16 +57,16 @@ def compiled(arm: str, scalar: str) -> list[Row]:
             (Path(folder) / file).write_text(text, encoding="ascii")
         command = [*(NVCC.command() or (NVCC.needed(),)), *codes, "-fatbin", "-Xcompiler", "-Wall,-Wextra"]
         command += ["-Xptxas", "-v", f"{name}.cu"]
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    said = done.stdout + done.stderr
-    if done.returncode or "warning" in said:
-        raise RuntimeError(said)
-    found: dict[str, Row] = {}
-    for symbol, architecture, stores, loads, registers in _ENTRY.findall(said):
-        row = found.setdefault(symbol, {})
+        run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    text = run.stdout + run.stderr
+    if run.returncode or "warning" in text:
+        raise RuntimeError(text)
+    rows: dict[str, Row] = {}
+    for symbol, architecture, stores, loads, registers in _ENTRY.findall(text):
+        row = rows.setdefault(symbol, {})
         row[architecture] = {"registers": int(registers), "spilled": int(stores) + int(loads)}
     return [
-        {"arm": arm, "scalar": scalar, "function": s.function, "called": s.called, **found[s.symbol]}
+        {"arm": arm, "scalar": scalar, "function": s.function, "called": s.called, **rows[s.symbol]}
         for s in generated.signatures
     ]
 
@@ -74,13 +74,13 @@ def compiled(arm: str, scalar: str) -> list[Row]:
 def _measured(results: Row) -> dict[tuple[str, str, str], tuple[float, float]]:
     """Of each function nanoseconds a state in the largest batch, and the share of a copy's bandwidth."""
     figures = results.get("measured") or {"functions": []}
-    found = {}
+    times = {}
     for each in figures["functions"]:
         if each["times"]:
             count, seconds = each["times"][-1]
             share = 1e-9 * each["bytes"] * count / seconds / figures["copy"]
-            found[each["arm"], each["scalar"], each["function"]] = (1e9 * seconds / count, share)
-    return found
+            times[each["arm"], each["scalar"], each["function"]] = (1e9 * seconds / count, share)
+    return times
 
 
 def table(results: Row, shown: tuple[str, ...] | None = None) -> str:
@@ -105,12 +105,12 @@ def _device(results: Row) -> str:
     if not figures:
         return "Compiled, not run: no GPU has measured them."
     checked = figures["functions"]
-    other = sum(1 for each in checked if each["other_bits"] or each["behind"])
+    wrong = sum(1 for each in checked if each["other_bits"] or each["behind"])
     far = [each["fused_worst"] for each in checked if each["scalar"] == "double"]
     copy, states = f"{figures['copy']:.0f} GB/s", checked[0]["states"]
     return (
         f"Measured on {figures['device']}, a copy in its memory at {copy}. Without fused products "
-        f"{len(checked) - other} of {len(checked)} functions have the bits of the C at {states} states; "
+        f"{len(checked) - wrong} of {len(checked)} functions have the bits of the C at {states} states; "
         f"fused, results in double differ by {max(far):.1g} of the largest at most."
     )
 

@@ -106,8 +106,8 @@ def _values(arm: str, scalar: str, generated: Generated) -> list[NDArray[Any]]:
     values = []
     for signature in generated.signatures:
         inputs = [given[array] for array, _ in signature.inputs]
-        found = getattr(kernel, signature.function)(*inputs)
-        parts = found if isinstance(found, tuple) else (found,)
+        results = getattr(kernel, signature.function)(*inputs)
+        parts = results if isinstance(results, tuple) else (results,)
         outputs = [np.asarray(part).astype(kernel.dtype).reshape(STATES, -1) for part in parts]
         assert [part.shape[1] for part in outputs] == [size for _, size in signature.outputs]
         values += [*inputs, *outputs]

@@ -150,3 +150,33 @@ def test_a_flat_folder_gets_a_fleet_toml(here: Path, capsys: Capture) -> None:
     assert main(["fleet", "init", "flat"]) == 2  # a file of the user's stays
     assert main(["fleet", "init", "none"]) == 2
     assert main(["fleet", "flat"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("names", "proposed"),
+    [
+        (["A_2026-01-02.csv", f"{NAME}/B/2026-01-02.csv"], {("plant", "A"), (NAME, "B")}),
+        ([f'{NAME}/a"b\\c/2026-01-02.csv'], {(NAME, 'a"b\\c')}),
+        (["a\nb_2026-01-02_{unit}*.csv"], {("plant", "a\nb")}),
+        (["2026-01-02_{type}.csv", "notes.csv"], {("plant", "{type}")}),
+    ],
+    ids=["flat and in folders", "marks of strings", "marks of patterns", "no date"],
+)
+def test_what_is_proposed_reads_the_logs(
+    names: list[str], proposed: set[tuple[str, str]], here: Path
+) -> None:
+    """Whatever their names have in them."""
+    (here / "plant").mkdir()
+    (here / "plant" / "plant.yaml").write_text(text_of(NAME), encoding="utf-8")
+    for name in names:
+        (here / "plant" / name).parent.mkdir(parents=True, exist_ok=True)
+        write_log(here / "plant" / name, 3)
+    assert main(["fleet", "init", "plant"]) == 0
+    assert {(log.type, log.unit) for log in read_fleet("plant").logs} == proposed
+
+
+def test_a_log_whose_name_is_no_text_is_refused(here: Path, capsys: Capture) -> None:
+    write_log(here / "a\udcff_2026-01-02.csv", 3)
+    assert main(["fleet", "init", "."]) == 2
+    assert "the name of a log is no text" in capsys.readouterr().err
+    assert not (here / "fleet.toml").exists()

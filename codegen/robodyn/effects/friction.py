@@ -266,7 +266,7 @@ STRIBECK = Effect(
                 lambda x, values: {"level": float(x[0]), "static": float(x[0] + x[1]), **values}, 3,
                 grid=tuple({"velocity": v} for v in (0.01, 0.02, 0.04, 0.08, 0.15, 0.3)),
                 suits=lambda values, top: values["velocity"] < 0.6 * top,
-                # Breakaway of up to three times the level; 1.2 to 2 are usual (Armstrong-Helouvry 1991).
+                # Breakaway of up to three times the level, a choice: more is what a joint does at rest.
                 feasible=lambda x: bool(x[1] <= 2 * x[0]),
             ),
         ),

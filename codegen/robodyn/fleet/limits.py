@@ -1,7 +1,7 @@
 """Every number by which a fleet's files are read and its logs are digested and judged.
 
-Below each stand its unit and what it decides. What names units is no number here: it is measured by
-permutations of dates in the fleet itself.
+Below each stand its unit and what it decides. Where no source is given, the value is a choice and was not
+derived. What names units is no number here: it is measured by permutations of dates in the fleet itself.
 """
 
 from __future__ import annotations

@@ -4,6 +4,7 @@ what."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import product
 from statistics import NormalDist
 
@@ -65,10 +66,15 @@ def ahead(gains: Floats) -> float:
     """By how many standard errors of a normal deviate what foretells more by ``gains`` [B, nats] of blocks is
     ahead: as often as signs that are drawn for the blocks bring about as much (a randomisation test, Fisher
     1935: blocks tell very unlike amounts). A standard error is a nat at least."""
-    signs = np.array(list(product((-1.0, 1.0), repeat=len(gains))))
     whole = float(gains.sum())
-    chance = float(np.mean(signs @ np.abs(gains) >= whole - 1e-9 * np.abs(gains).sum()))
+    chance = float(np.mean(_signs(len(gains)) @ np.abs(gains) >= whole - 1e-9 * np.abs(gains).sum()))
     return min(NormalDist().inv_cdf(min(1 - chance, 1 - 1e-9)) if chance < 1 else -np.inf, whole)
+
+
+@lru_cache(maxsize=4)
+def _signs(count: int) -> Floats:
+    """All ways in which so many signs can be drawn [2^count, count]."""
+    return np.array(list(product((-1.0, 1.0), repeat=count)))
 
 
 def foretells(one: Fit, other: Fit) -> float:

@@ -46,9 +46,6 @@ RIDGE: Final = 1e-6
 TOLERANCE: Final = 1e-5
 """[share of the largest singular value] Columns that are smaller say nothing apart from others."""
 
-LEAST_MOVING: Final = 0.1
-"""[share of rows] A joint that moves in fewer has its noise, and its dry friction, from all of them."""
-
 RESOLUTION: Final = 2.0
 """[-] The speed below which a direction is not resolved is looked for by this factor,"""
 

@@ -106,19 +106,19 @@ class Model:
     def slopes(self, left: Floats) -> Floats:
         """What the model's torques [N, n, P] change by each number."""
         exact, parts = self.exact, []
-        is_kept = not any(CATALOGUE[one.key[0]].traits.reevaluate for one in exact)
+        is_same = not any(CATALOGUE[one.key[0]].traits.reevaluate for one in exact)
         for k, name in self.places:
             value = float(exact[k].parameters[name])
-            kept = exact[k].of_slope(name) if is_kept and not _is_behind(exact[k], exact) else None
-            if kept in self._known:
-                parts.append(self._known[kept])
+            slope_of = exact[k].of_slope(name) if is_same and not _is_behind(exact[k], exact) else None
+            if slope_of in self._known:
+                parts.append(self._known[slope_of])
                 continue
             moved = [one.amendment if i != k else one.at(name, value * (1 + STEP)).amendment
                      for i, one in enumerate(exact)]  # fmt: skip
             other = _left(self.rows, moved)
             slope = np.zeros_like(left) if other is None else (left - other) / (STEP * value)
-            if kept is not None:
-                self._known[kept] = slope
+            if slope_of is not None:
+                self._known[slope_of] = slope
             parts.append(slope)
         return np.stack(parts, axis=2) if parts else np.zeros((*left.shape, 0))
 
@@ -161,8 +161,8 @@ class Fit:
     held: Floats
     x: Floats
     cost: float
-    #: What trials of all families have in common.
-    kept: dict[str, Any] = field(default_factory=dict)
+    #: Those of the blocks, which trials of all families have in common, once they are worked out.
+    equations: list[tuple[Floats, ...]] = field(default_factory=list)
 
     @property
     def rest(self) -> Floats:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from robodyn.diagnose.select.families import Family
 from robodyn.diagnose.select.library import regressor_seen
-from robodyn.diagnose.select.limits import LEAST_MOVING, TOLERANCE
+from robodyn.diagnose.select.limits import BLOCKS, TOLERANCE
 from robodyn.diagnose.select.remainder import remainder
 from robodyn.diagnose.select.rows import Rows, with_noise
 from robodyn.effects.catalogue import CATALOGUE
@@ -135,9 +135,9 @@ def _dry(y: Floats, rows: Rows, found: Sequence[Family], j: int) -> float:
 
 
 def _moves(rows: Rows, j: int) -> NDArray[np.bool_]:
-    """Which rows [N] know the direction of joint ``j`` (from 0); all of them, if it hardly moves."""
+    """Which rows [N] know the direction of joint ``j`` (from 0); all, if those are less than a block."""
     moves = np.asarray(rows.unresolved[:, j] < 0.5)
-    return moves if moves.mean() > LEAST_MOVING else np.ones_like(moves)
+    return moves if moves.mean() > 1 / BLOCKS else np.ones_like(moves)
 
 
 def _is_step(effect: str) -> bool:

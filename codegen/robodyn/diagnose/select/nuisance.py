@@ -25,8 +25,8 @@ def own_numbers(rows: Rows, share: float, *, is_timed: bool = False) -> Floats:
     columns = np.concatenate([regressor_seen(c) for c in rows.contexts]) * scale
     flat = (columns * np.sqrt(rows.weight)[:, :, None]).reshape(-1, len(scale))
     _, sizes, ways = np.linalg.svd(flat.T @ flat, hermitian=True)
-    own = np.asarray(columns @ ways[np.sqrt(sizes) > LEAST_SHOWN].T)
-    return np.concatenate([own, _by_lateness(rows)], axis=2) if is_timed else own
+    numbers = np.asarray(columns @ ways[np.sqrt(sizes) > LEAST_SHOWN].T)
+    return np.concatenate([numbers, _by_lateness(rows)], axis=2) if is_timed else numbers
 
 
 def _by_lateness(rows: Rows) -> Floats:
@@ -39,10 +39,10 @@ def _by_lateness(rows: Rows) -> Floats:
     return np.asarray(np.concatenate(parts)[:, :, None] * np.eye(rows.n))
 
 
-def with_own(model: Model, share: float | None, *, is_timed: bool) -> Model:
+def with_own_numbers(model: Model, share: float | None, *, is_timed: bool) -> Model:
     """The model beside its arm's own numbers, where nothing is stated of them wrong by the ``share``."""
-    own = own_numbers(model.rows, share or 0.0, is_timed=is_timed)
-    return replace(model, own=own, share=share, is_timed=is_timed)
+    columns = own_numbers(model.rows, share or 0.0, is_timed=is_timed)
+    return replace(model, own=columns, share=share, is_timed=is_timed)
 
 
 def widened(fit: Fit, threshold: float, best: Trial | None = None) -> Fit | None:
@@ -52,19 +52,19 @@ def widened(fit: Fit, threshold: float, best: Trial | None = None) -> Fit | None
     for share in SHARES:
         if fit.model.share is not None and share <= fit.model.share:
             continue
-        other = fitted(with_own(fit.model, share, is_timed=fit.model.is_timed), 0)
-        if other is None:
+        wider = fitted(with_own_numbers(fit.model, share, is_timed=fit.model.is_timed), 0)
+        if wider is None:
             continue
-        after = held_out(other)
+        after = held_out(wider)
         gains = (before - after).sum(axis=1) / 2
         drop = 1 - np.sqrt((after.sum(axis=0) / np.maximum(before.sum(axis=0), 1e-300)).min())
         lead = gains if best is None else np.minimum(gains, gains - best.gains)
         if lead.sum() > threshold and ahead(lead) > 1 and drop > PRACTICAL:
-            choices.append((float(gains.sum()), other))
+            choices.append((float(gains.sum()), wider))
     if not choices:
         return None
     most = max(gain for gain, _ in choices)
-    near = [other for gain, other in choices if gain > most - threshold]
+    near = [wider for gain, wider in choices if gain > most - threshold]
     return fitted(near[0].model)
 
 
@@ -74,7 +74,7 @@ def timed(fit: Fit, threshold: float) -> Fit | None:
     a search beside this from the start would miss it."""
     if fit.model.is_timed:
         return None
-    other = fitted(with_own(fit.model, fit.model.share, is_timed=True))
+    other = fitted(with_own_numbers(fit.model, fit.model.share, is_timed=True))
     if other is None or foretells(other, fit) <= threshold:
         return None
     late = slice(other.model.own.shape[2] - fit.model.rows.n, other.model.own.shape[2])
@@ -85,4 +85,4 @@ def with_reading_time(fit: Fit) -> Fit:
     """The fit beside when torques were read, in any case: without it intervals are too narrow."""
     if fit.model.is_timed:
         return fit
-    return fitted(with_own(fit.model, fit.model.share, is_timed=True)) or fit
+    return fitted(with_own_numbers(fit.model, fit.model.share, is_timed=True)) or fit

@@ -111,11 +111,11 @@ def held_out(fit: Fit) -> Floats:
     return np.asarray((fit.model.rows.weight[fit.model.rows.blocks] * _folds(fit)[-1] ** 2).sum(1))
 
 
-def foretold_by(fit: Fit, one: Trial | None = None) -> float:
-    """Held-out log-likelihood of a fit, with ``one`` beside it, but for a constant [nats]."""
+def foretold_by(fit: Fit, one: Trial) -> float:
+    """Held-out log-likelihood of a fit with ``one`` beside it, but for the constant of
+    :func:`log_likelihood` [nats]."""
     weight = fit.model.rows.weight[fit.model.rows.blocks]
-    squares = held_out(fit).sum() if one is None else one.after.sum()
-    return float(np.log(weight).sum() - squares) / 2
+    return float(np.log(weight).sum() - one.after.sum()) / 2
 
 
 def log_likelihood(fit: Fit) -> Floats:
@@ -124,11 +124,11 @@ def log_likelihood(fit: Fit) -> Floats:
     return np.asarray((np.log(weight) - weight * _folds(fit)[-1] ** 2).sum(1) / 2)
 
 
-def _folds(fit: Fit) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+def _folds(fit: Fit) -> tuple[Floats, ...]:
     """By block B: squares [B, p, p] and right-hand sides [B, p] of its rows; of all the others the inverse
     [B, p, p] and coefficients [B, p]; and what these leave of it [B, m, n]."""
-    if "folds" in fit.kept:
-        return fit.kept["folds"]  # type: ignore[no-any-return]
+    if fit.equations:
+        return fit.equations[0]
     rows = fit.model.rows
     I, n = rows.blocks, rows.n
     W, y, A = rows.weight[I], fit.leave[I], fit.columns[I]
@@ -142,8 +142,8 @@ def _folds(fit: Fit) -> tuple[Floats, Floats, Floats, Floats, Floats]:
     outer = np.outer(size, size)
     inverse = np.linalg.inv(T / outer + np.diag(fit.held / size**2 + 1e-9)) / outer
     a = np.einsum("bpq,bq->bp", inverse, t)
-    fit.kept["folds"] = G, c, inverse, a, y - (flat @ a[..., None]).reshape(B, m, n)
-    return fit.kept["folds"]  # type: ignore[no-any-return]
+    fit.equations.append((G, c, inverse, a, y - (flat @ a[..., None]).reshape(B, m, n)))
+    return fit.equations[0]
 
 
 def _all_rows(

@@ -35,8 +35,8 @@ from robodyn.diagnose.select.outcome import Found, Outcome
 from robodyn.diagnose.select.resolution import foretold, likelier_speeds
 from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
-from robodyn.diagnose.select.score import Trial, foretold_by, trials
-from robodyn.diagnose.select.tuning import steady, tuned, with_tried
+from robodyn.diagnose.select.score import Trial, foretold_by, log_likelihood, trials
+from robodyn.diagnose.select.tuning import judge_shape, tuned, with_tried
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.robot.model import Robot
@@ -57,6 +57,7 @@ class Search:
         self.dry = dry.copy()
         self.tuned: set[tuple[Key, tuple[int, ...]]] = set()
         self.plain: set[int | None] = {None}
+        self.turns: set[tuple[object, ...]] = set()
 
     def passes(self, one: Trial) -> bool:
         """Whether it is worth a name, and its gain more than its standard error over the blocks: not of one
@@ -165,26 +166,21 @@ class Search:
         no more than one that knows nothing but the side on which friction holds a joint at rest."""
         tried = trials(fit, found)
         most = max((one.gain for one in tried if self.is_worth(one)), default=0.0)
-        return [one if one.gain < RIVAL_LEAST * most else self._with_shape(fit, one) for one in tried]
-
-    def _with_shape(self, fit: Fit, one: Trial) -> Trial:
-        other = steady(one.family, self.rows, self.rows.expected) if self.is_worth(one) else None
-        if other is None:
-            return one
-        (plain,), values = trials(fit, [other[0]]), one.family.ones[one.k].values
-        is_longer = all(values[name] > x for name, x in other[1].items())
-        return replace(one, is_possible=is_longer and one.gain - plain.gain > self.threshold)
+        return [
+            judge_shape(fit, one, self.threshold) if one.gain >= RIVAL_LEAST * most > 0 else one
+            for one in tried
+        ]
 
     def where_it_rubs(self, fit: Fit, tried: Sequence[Trial], best: Trial | None) -> Fit | None:
         """The fit with rows at rest that say a set at one more joint, which shows dry friction in motion: if
         the ``best`` of those ``tried`` is a law of dissipation there, or one foretells more so."""
-        before = max([foretold_by(fit), *([] if best is None else [foretold_by(fit, best)])])
+        before = float(log_likelihood(fit).sum()) if best is None else foretold_by(fit, best)
         for j in np.flatnonzero(self.dry):
             if best is not None and j != best.at.argmax():
                 continue
             more = np.where(np.arange(self.rows.n) == j, self.dry, 0.0)
             rows = replace(self.rows, level=self.rows.level + more)
-            other = fitted(replace(fit.model, rows=rows, _known={}))
+            other = fitted(replace(fit.model, rows=rows))
             if other is None:
                 continue
             is_law = best is not None and rubs_at(best, int(j))
@@ -219,7 +215,11 @@ class Search:
 
     def _with_speeds(self, fit: Fit, speeds: Floats) -> Fit | None:
         """The model in rows with other speeds below which directions are not resolved, and candidates of dry
-        friction along these."""
+        friction along these; None where it had these already, or members and speeds might take turns."""
+        turn = *speeds.tolist(), *sorted(map(str, (one.key for one in fit.model.members)))
+        if turn in self.turns:
+            return None
+        self.turns.add(turn)
         rows = rows_of(self.rows.robot, self.gates, speeds)
         self.rows = with_noise(rows, self.rows.sigma, self.rows.correlation, self.rows.level)
         self.banned.clear()

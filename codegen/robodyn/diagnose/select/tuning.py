@@ -14,8 +14,9 @@ from robodyn.diagnose.select.library import without_regressor
 from robodyn.diagnose.select.library.matched import light
 from robodyn.diagnose.select.library.prepared import prepared
 from robodyn.diagnose.select.limits import FINEST, FIT_WORTH
-from robodyn.diagnose.select.members import Member, Model, solve
+from robodyn.diagnose.select.members import Fit, Member, Model, solve
 from robodyn.diagnose.select.rows import Rows
+from robodyn.diagnose.select.score import Trial, trials
 
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
@@ -85,17 +86,19 @@ def _with_secant(model: Model, new: Member) -> Member:
     return replace(new, family=replace(new.family, columns=column), k=0)
 
 
-def steady(family: Family, rows: Rows, speeds: Floats) -> tuple[Family, Mapping[str, float]] | None:
-    """The law that a family becomes in steady motion, with the side on which friction holds a joint that has
-    come to rest, and the travel after which it has come up; None where it has no such. ``speeds`` [n]: below
-    which directions are not resolved."""
-    one = family.first
-    if one.joint is None or not one.definition.traits.steady:
-        return None
-    time = 1 / (2 * np.pi * rows.contexts[0].signals.cutoff)  # in which a direction is resolved
-    values = {name: float(speeds[one.joint - 1]) * time for name in one.values}
-    more = _with_values(family, values, rows)
-    return replace(more, ones=more.ones[-1:], columns=more.columns[-1:]), values
+def judge_shape(fit: Fit, one: Trial, threshold: float) -> Trial:
+    """A trial beside a fit; a law that has friction come up by and by is impossible if it foretells no more,
+    by the ``threshold`` [nats], than one that knows nothing but the side on which friction holds a joint at
+    rest: the same law that comes up within what is not resolved of the joint's travel."""
+    joint, rows = one.family.first.joint, fit.model.rows
+    if joint is None or not one.family.first.definition.traits.steady or not one.is_possible:
+        return one
+    travel = float(rows.expected[joint - 1]) / (2 * np.pi * rows.contexts[0].signals.cutoff)
+    values = one.family.ones[one.k].values
+    with_plain = _with_values(one.family, dict.fromkeys(values, travel), rows)
+    plain = replace(with_plain, ones=with_plain.ones[-1:], columns=with_plain.columns[-1:])
+    is_longer = min(values.values()) > travel
+    return replace(one, is_possible=is_longer and one.gain - trials(fit, [plain])[0].gain > threshold)
 
 
 def with_tried(family: Family, old: Family, rows: Rows) -> Family:

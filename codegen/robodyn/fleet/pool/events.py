@@ -10,10 +10,8 @@ from robodyn.fleet.as_json import day
 from robodyn.fleet.pool.programs import program_change, switching
 from robodyn.fleet.pool.type_model import TypeModel, is_clock_wrong
 from robodyn.fleet.result import CLOCK, DATE, PROGRAM_CHANGE, Claim, Unused
+from robodyn.fleet.sources.dates import DAY
 from robodyn.fleet.sources.fleet import LogFile
-
-#: [s] A day.
-_DAY = 86400.0
 
 
 def unit_events(model: TypeModel, unit: int) -> Iterator[Claim]:
@@ -50,7 +48,7 @@ def lost_dates(logs: Sequence[LogFile]) -> tuple[dict[tuple[str, str], list[Clai
         return {}, []
     dates = np.array([log.date for log in logs])
     low, high = np.quantile(dates, [0.05, 0.95])
-    reach = max(float(high - low), 30 * _DAY)
+    reach = max(float(high - low), 30 * DAY)
     far = (dates < low - reach) | (dates > high + reach)
     claims: dict[tuple[str, str], list[Claim]] = {}
     unused = []
@@ -60,7 +58,7 @@ def lost_dates(logs: Sequence[LogFile]) -> tuple[dict[tuple[str, str], list[Clai
             f"its date, {day(log.date)[:10]}, lies far from those of all others: its clock has lost the date"
         )
         unused.append(Unused(log.source, log.type, log.unit, why))
-        off = (log.date - float(np.median(dates))) / _DAY
+        off = (log.date - float(np.median(dates))) / DAY
         claims.setdefault((log.type, log.unit), [_event(CLOCK, DATE, [], off, "d")])
     known = {(log.type, log.unit) for log, is_far in zip(logs, far.tolist(), strict=True) if not is_far}
     return {unit: own for unit, own in claims.items() if unit in known}, unused

@@ -26,11 +26,10 @@ from robodyn.fleet.result import (
     TypeResult,
     UnitResult,
 )
+from robodyn.fleet.sources.dates import DAY
 from robodyn.robot.account import account_lines
 
 Floats = NDArray[np.float64]
-#: [s] A day.
-_DAY = 86400.0
 _SLOW_AND_FAST = "record it moving both ways at two speeds for half a minute"
 
 
@@ -188,7 +187,7 @@ def _course_text(claim: Claim, unit: UnitResult) -> str:
     """How long something goes on already."""
     if claim.since is None:
         return "it was so in all logs"
-    weeks = (unit.last - claim.since) / (7 * _DAY)
+    weeks = (unit.last - claim.since) / (7 * DAY)
     span = f"{weeks:.0f} weeks" if weeks >= 2 else f"{max(weeks * 7, 1):.0f} days"
     rising = "rising" if claim.size > 0 else "falling"
     return (
@@ -208,7 +207,7 @@ def _margin(claim: Claim, unit: UnitResult, model: TypeModel) -> tuple[float, st
     if claim.shape == "drift" and claim.until is None and claim.since is not None and unit.last > claim.since:
         rate = claim.size / (unit.last - claim.since)
         reached = unit.last + (limit - level) / rate
-        if reached < unit.last + 3 * 365 * _DAY:
+        if reached < unit.last + 3 * 365 * DAY:
             text += f", and at this rate all of it on {day(reached)[:10]}"
     return share, text
 

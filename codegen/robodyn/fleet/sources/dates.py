@@ -25,6 +25,8 @@ _PARTS: Final = re.compile(
     r"(?: ?(Z|[+-]\d\d:?\d\d))?)?\Z",
     re.ASCII,
 )
+#: [s]
+DAY: Final = 86400.0
 #: Words in place of a format: seconds and milliseconds since 1970.
 UNIX: Final = {"unix": 1.0, "unix_ms": 1000.0}
 #: What each directive of a format can stand for in the name of a file.

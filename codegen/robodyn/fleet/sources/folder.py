@@ -21,8 +21,10 @@ from robodyn.robot.names import shown
 
 #: The map of a type's logs, in its folder.
 MAP: Final = "map.yaml"
-_DESCRIPTIONS: Final = (".yaml", ".yml", *SUFFIXES)
-_DATE: Final = re.compile(rf"(?<!\d){ISO}(?!\d)", re.ASCII)
+#: Ends of the names of descriptions.
+DESCRIPTIONS: Final = (".yaml", ".yml", *SUFFIXES)
+#: A date in the name of a log.
+DATE: Final = re.compile(rf"(?<!\d){ISO}(?!\d)", re.ASCII)
 _EXPECTED: Final = "TYPE/UNIT/2026-05-03T1200.csv and TYPE.yaml (or TYPE of a bundled robot), or a fleet.toml"
 
 
@@ -75,7 +77,7 @@ def _anywhere(place: Place, _: str) -> Place:
 
 def _take(log: Path, kind: str, unit: str, gathering: Gathering) -> None:
     where = Place(label(log))
-    match = _DATE.search(log.stem)
+    match = DATE.search(log.stem)
     try:
         if match is None:
             raise NotADate("a name with its date, such as 2026-05-03T1200.csv")
@@ -110,7 +112,7 @@ def _description(kind: Path) -> str | None:
     inside = [
         path
         for path in sorted(kind.iterdir())
-        if path.is_file() and path.name.lower().endswith(_DESCRIPTIONS) and path.name != MAP
+        if path.is_file() and path.name.lower().endswith(DESCRIPTIONS) and path.name != MAP
     ]
     if len(inside) > 1:
         raise InputError(
@@ -120,7 +122,7 @@ def _description(kind: Path) -> str | None:
             expected="one",
             remedy="delete the others, or write a fleet.toml that says which",
         )
-    beside = [kind.with_name(kind.name + ending) for ending in _DESCRIPTIONS]
+    beside = [kind.with_name(kind.name + ending) for ending in DESCRIPTIONS]
     for path in (*inside, *beside):
         if path.is_file():
             return str(path)

@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from datetime import UTC
 from pathlib import Path
 from typing import Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label
-from robodyn.fleet.sources.dates import ISO
-from robodyn.formats.loading import SUFFIXES, load
+from robodyn.fleet.limits import MOST_ENTRIES
+from robodyn.fleet.sources.dates import DateFormat, NotADate
+from robodyn.fleet.sources.folder import DATE, DESCRIPTIONS
+from robodyn.formats.loading import load
 from robodyn.logs.formats import is_log
 from robodyn.logs.log import read_log
 from robodyn.resources import bundled_robot
 from robodyn.robot.names import shown
 
-_DATE: Final = re.compile(rf"(?<!\d){ISO}(?!\d)", re.ASCII)
-_DESCRIPTIONS: Final = (".yaml", ".yml", *SUFFIXES)
+#: The field of a pattern that is a type.
+_TYPE: Final = "{type}"
+#: Marks of a pattern; what of a name is one of them may be any character.
+_MARKS: Final = re.compile(r"[{}*?\\]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,8 +51,9 @@ def propose_fleet(folder: Path) -> Proposal:
             where=Place(label(folder)),
             expected="files such as ARM_2026-05-03.csv or ARM/2026-05-03.csv",
         )
-    patterns = Counter(pattern for log in logs if (pattern := _pattern(log.relative_to(folder))))
-    if not patterns:
+    plain = _only_type(folder)
+    fitting = [(log, pattern) for log in logs if (pattern := _pattern(log.relative_to(folder)))]
+    if not fitting:
         raise InputError(
             "no log of the folder has a date in its name",
             where=Place(label(folder)),
@@ -54,13 +61,13 @@ def propose_fleet(folder: Path) -> Proposal:
             expected="a name such as ARM_2026-05-03.csv",
             remedy='write a manifest with a column date: [[logs]], manifest = "manifest.csv"',
         )
-    undated = len(logs) - sum(patterns.values())
+    undated = len(logs) - len(fitting)
     remarks = [f"without a date in its name, and left out: {undated} of {len(logs)} logs"] if undated else []
-    top = (
-        {log.relative_to(folder).parts[0] for log in logs} if any("{type}" in p for p in patterns) else set()
-    )
-    lines = [f'name = "{_quoted(folder.resolve().name or "fleet")}"', ""]
-    for name in sorted(top) or [_only_type(folder)]:
+    types: dict[str, Path] = {}  # and a log of each
+    for log, pattern in fitting:
+        types.setdefault(log.relative_to(folder).parts[0] if _TYPE in pattern else plain, log)
+    lines = [f"name = {_quoted(folder.resolve().name or 'fleet')}", ""]
+    for name, log in sorted(types.items()):
         robot = _description(folder, name)
         if robot is None:
             robot = f"{name}.yaml"
@@ -68,33 +75,54 @@ def propose_fleet(folder: Path) -> Proposal:
                 f"{robot} is not there: write the description of the arms, or the name of a bundled one"
             )
         else:
-            remarks += _columns_remark(
-                folder, robot, next(log for log in logs if not top or name in log.parts)
-            )
-        lines += [f'[types."{_quoted(name)}"]', f'robot = "{_quoted(robot)}"', ""]
+            remarks += _columns_remark(folder, robot, log)
+        lines += [f"[types.{_quoted(name)}]", f"robot = {_quoted(robot)}", ""]
+    patterns = Counter(pattern for _, pattern in fitting)
     for pattern, count in sorted(patterns.items(), key=lambda item: (-item[1], item[0])):
-        lines += ["[[logs]]", f'files = "{_quoted(pattern)}"          # {count} logs', ""]
+        several = "log" if count == 1 else "logs"
+        lines += ["[[logs]]", f"files = {_quoted(pattern)}          # {count} {several}"]
+        lines += [*([f"type = {_quoted(plain)}"] if len(types) > 1 and _TYPE not in pattern else []), ""]
     return Proposal("\n".join(lines), tuple(remarks))
 
 
 def _quoted(text: str) -> str:
-    return text.replace("\\", "\\\\").replace('"', '\\"')
+    """The text as a string of TOML, what cannot be seen of it by its number."""
+    marks = {"\\": r"\\", '"': r"\""}
+    return '"' + "".join(marks.get(c, c if c.isprintable() else rf"\U{ord(c):08x}") for c in text) + '"'
 
 
 def _logs(folder: Path) -> Iterator[Path]:
-    for path in folder.rglob("*"):
+    for count, path in enumerate(folder.rglob("*")):
+        if count >= MOST_ENTRIES:
+            raise InputError(
+                "the folder has too many files",
+                where=Place(label(folder)),
+                found=f"more than {MOST_ENTRIES}",
+                remedy="name the folder of the logs",
+            )
         parts = path.relative_to(folder).parts
-        if path.is_file() and is_log(path) and not any(part.startswith(".") for part in parts):
+        if is_log(path) and path.is_file() and not any(part.startswith(".") for part in parts):
+            try:
+                os.fspath(path).encode()
+            except UnicodeEncodeError:
+                raise InputError(
+                    "the name of a log is no text", where=Place(label(path)), remedy="rename it"
+                ) from None
             yield path
 
 
 def _pattern(path: Path) -> str | None:
     """The pattern of a log's ``path``, relative to its fleet's folder; None without a date in its name. What
     its name has beside the date is the unit, else the folder that it is in; one folder above is the type."""
-    found = _DATE.search(path.stem)
+    found = DATE.search(path.stem)
     if found is None:
         return None
-    folders, before, after = list(path.parts[:-1]), path.stem[: found.start()], path.stem[found.end() :]
+    try:
+        DateFormat("", UTC).seconds(found[0])
+    except NotADate:
+        return None
+    folders, units = list(path.parts[:-1]), list[str]()
+    before, after = (_MARKS.sub("?", part) for part in (path.stem[: found.start()], path.stem[found.end() :]))
     if before.strip("_- ."):
         mark = before[len(before.rstrip("_- .")) :]
         stem = "{unit}" + mark + "{date}" + after
@@ -103,25 +131,23 @@ def _pattern(path: Path) -> str | None:
         stem = before + "{date}" + mark + "{unit}"
     elif folders:
         stem = before + "{date}" + after
-        folders[-1] = "{unit}"
+        folders, units = folders[:-1], ["{unit}"]
     else:
         return None
-    fixed = [part for part in folders if part != "{unit}"]
-    above = ["{type}", *["*"] * (len(fixed) - 1)] if fixed else []
-    units = ["{unit}"] if "{unit}" in folders else []
+    above = [_TYPE, *["*"] * (len(folders) - 1)] if folders else []
     return "/".join([*above, *units, stem + path.suffix])
 
 
 def _only_type(folder: Path) -> str:
     """What the one type of a fleet is called: as its description, or the folder."""
-    files = sorted(path for path in folder.iterdir() if path.name.lower().endswith(_DESCRIPTIONS))
+    files = sorted(path for path in folder.iterdir() if path.name.lower().endswith(DESCRIPTIONS))
     return files[0].name.split(".")[0] if len(files) == 1 else folder.resolve().name or "arm"
 
 
 def _description(folder: Path, name: str) -> str | None:
     """The description of a type: a file of its name, or a bundled robot."""
     for place in (folder, folder / name):
-        for ending in _DESCRIPTIONS:
+        for ending in DESCRIPTIONS:
             if (place / f"{name}{ending}").is_file():
                 return str((place / f"{name}{ending}").relative_to(folder))
     return name if bundled_robot(name) is not None else None
