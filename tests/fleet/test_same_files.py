@@ -112,14 +112,17 @@ def test_a_log_that_is_only_there_is_taken_from_there(
     assert run(fleet, worker, monkeypatch) == expected
 
 
-def test_a_log_that_both_cannot_read_is_named(
-    fleet: Fleet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    gone = replace(fleet.logs[0], source="logs/gone.csv")
-    result = run(replace(fleet, logs=(gone, *fleet.logs[1:])), Elsewhere(tmp_path / "there"), monkeypatch)
-    assert [(log.source, log.why) for log in result.unused] == [
-        ("logs/gone.csv", "the file cannot be read: no such file or directory")
-    ]
+def test_what_nobody_can_read_is_named(fleet: Fleet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A path that leads nowhere, a pipe (which nobody opens), a folder without a recording."""
+    os.mkfifo("logs/pipe")
+    Path("logs/folder").mkdir()
+    wrong = [replace(fleet.logs[0], source=f"logs/{name}") for name in ("folder", "gone.csv", "pipe")]
+    logs = tuple(sorted((*wrong, *fleet.logs[1:]), key=lambda log: log.order))
+    result = run(replace(fleet, logs=logs), ThisProcess(), monkeypatch)
+    reasons = {log.source: log.why for log in result.unused}
+    assert reasons.keys() == {log.source for log in wrong}
+    assert reasons["logs/gone.csv"] == "the file cannot be read: no such file or directory"
+    assert "neither a file nor a folder" in reasons["logs/pipe"]
 
 
 def test_a_log_that_was_written_and_whose_time_was_set_back_is_another(tmp_path: Path) -> None:

@@ -1,9 +1,15 @@
-"""Where a fleet's logs are: ``fleet.toml``, patterns of paths, manifests and bare folders."""
+"""Where a fleet's logs are: ``fleet.toml``, its schema, patterns of paths, manifests and bare folders.
+
+What is refused for a text alone stands in tests/refusals/fleet.yaml and manifest.yaml.
+"""
 
 from __future__ import annotations
 
+import json
 import math
 import os
+import tomllib
+from collections.abc import Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -15,138 +21,107 @@ from robodyn.fleet.sources.reading import read_fleet
 from robodyn.logs.log import read_log
 from robodyn.logs.mapping import map_of_text
 from robodyn.robot.reader import read_text
+from robodyn_cli.main import main
+from robodyn_testing import require_module
 
 TYPE = "[types.ur5]\n"
+FILES = "[[logs]]\nfiles = 'logs/{unit}/{date}.csv'\n"
+MANIFEST = "[[logs]]\nmanifest = 'm.csv'\n"
+LOG = "logs/a/2026-01-01.csv"
 
 
-def touch(folder: Path, *names: str) -> None:
+def write(folder: Path, *names: str, **texts: str) -> None:
+    """Empty files with these ``names``; ``texts`` are those of files of CSV, by their stems."""
     for name in names:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).touch()
+    for stem, text in texts.items():
+        (folder / f"{stem}.csv").write_text(text, encoding="utf-8", newline="")
 
 
-def read(folder: Path, text: str, *names: str) -> Fleet:
-    touch(folder, *names)
+def read(folder: Path, text: str, *names: str, **texts: str) -> Fleet:
+    write(folder, *names, **texts)
     (folder / "fleet.toml").write_text(text, encoding="utf-8")
     return read_fleet(folder / "fleet.toml")
 
 
-def logs_of(fleet: Fleet, folder: Path) -> list[tuple[str, str, str, str]]:
-    """Source below the folder, type, unit and date of each log."""
-    return [
-        (
-            os.path.relpath(log.source, folder),
-            log.type,
-            log.unit,
-            "" if math.isnan(log.date) else datetime.fromtimestamp(log.date, UTC).isoformat(),
-        )
-        for log in fleet.logs
-    ]
-
-
-def refusal(folder: Path, text: str, *names: str) -> str:
-    with pytest.raises(InputError) as caught:
-        read(folder, text, *names)
-    return str(caught.value)
-
-
-def test_a_pattern_names_type_unit_and_date(tmp_path: Path) -> None:
-    fleet = read(
-        tmp_path,
-        'name = "Hall 3"\n[types.ur5]\n[types.big]\nrobot = "ur10"\n'
-        '[[logs]]\nfiles = "logs/{type}/{unit}/{date}.csv"\n',
-        "logs/ur5/7/2026-05-03T1200.csv",
-        "logs/ur5/7/2026-05-02.csv",
-        "logs/big/a b/20260503T120000+0200.csv",
-        "logs/ur5/7/2026-05-02.csv.json",
-        "logs/ur5/7/.2026-05-02.csv",
-    )
-    assert fleet.name == "Hall 3"
-    assert logs_of(fleet, tmp_path) == [
-        ("logs/big/a b/20260503T120000+0200.csv", "big", "a b", "2026-05-03T10:00:00+00:00"),
-        ("logs/ur5/7/2026-05-02.csv", "ur5", "7", "2026-05-02T00:00:00+00:00"),
-        ("logs/ur5/7/2026-05-03T1200.csv", "ur5", "7", "2026-05-03T12:00:00+00:00"),
-    ]
-    assert "name: ur10" in fleet.types["big"].text
-    assert fleet.types["big"].mapping is None
-
-
-def test_fields_stand_anywhere_and_others_are_conditions(tmp_path: Path) -> None:
-    fleet = read(
-        tmp_path,
-        TYPE + "[[logs]]\ntimezone = 'Europe/Berlin'\nconditions = {load = 2}\n"
+#: [[logs]], files and manifests by their stems, and of each log its path, unit, time and conditions.
+CASES: Mapping[str, tuple[str, list[str], dict[str, str], list[tuple[str, str, str, dict[str, float]]]]] = {
+    "dates of ISO 8601, beside hidden files and others": (
+        "[[logs]]\nfiles = 'logs/{type}/{unit}/{date}.csv'\n",
+        [f"logs/ur5/{name}" for name in ("a b/20260503T120000+0200.csv", "7/2026-05-03_12-00.csv",
+            "7/2026-05-02.csv", "7/2026-05-02.csv.json", "7/.2026-05-02.csv", ".8/2026-05-02.csv")],
+        {},
+        [("logs/ur5/7/2026-05-02.csv", "7", "2026-05-02T00:00", {}),
+         ("logs/ur5/7/2026-05-03_12-00.csv", "7", "2026-05-03T12:00", {}),
+         ("logs/ur5/a b/20260503T120000+0200.csv", "a b", "2026-05-03T10:00", {})],
+    ),
+    "a date in pieces, in a zone; another field is a condition": (
+        "[[logs]]\ntimezone = 'Europe/Berlin'\nconditions = {load = 2}\n"
         "files = '{date:%Y}/{date:%m-%d}/arm_{unit}_{date:%H%M}_{temperature}C.csv'\n",
-        "2026/05-03/arm_A_7_1200_-31.5C.csv",
-        "2026/05-03/notes.csv",
-    )
-    assert logs_of(fleet, tmp_path)[0][2:] == ("A_7", "2026-05-03T10:00:00+00:00")
-    assert fleet.logs[0].conditions == {"load": 2.0, "temperature": -31.5}
-    assert len(fleet.logs) == 1
+        ["2026/05-03/arm_A_7_1200_-3.5C.csv", "2026/05-03/notes.csv"],
+        {},
+        [("2026/05-03/arm_A_7_1200_-3.5C.csv", "A_7", "2026-05-03T10:00", {"load": 2, "temperature": -3.5})],
+    ),
+    "a unit whose name looks like a date, seconds, brackets and a field that comes twice": (
+        "[[logs]]\nfiles = '[{unit}]/{unit}_{date:unix}.csv'\n[[logs]]\nfiles = '{unit}_{date}.csv'\n",
+        ["[7]/7_1777809600.csv", "[7]/8_1777809600.csv", "2026_20260503.csv"],
+        {},
+        [("2026_20260503.csv", "2026", "2026-05-03T00:00", {}),
+         ("[7]/7_1777809600.csv", "7", "2026-05-03T12:00", {})],
+    ),
+    "folders in folders, without what is left out; two entries complete each other": (
+        FILES + "[[logs]]\nfiles = 'logs/**/{date}.csv'\nexclude = ['logs/*/test', '**/*-02.csv']\n"
+        "[[logs]]\nmanifest = 'm.csv'\nexclude = 'gone/*'\n",
+        ["logs/7/2026-05-03.csv", "logs/7/test/2026-05-03.csv"],
+        {"m": "source,temperature\nlogs/7/2026-05-03.csv,31\ngone/x.csv,3\n"},
+        [("logs/7/2026-05-03.csv", "7", "2026-05-03T00:00", {"temperature": 31})],
+    ),
+    "a manifest with quotes, names of its own and a byte order mark": (
+        "[[logs]]\nmanifest = 'm.csv'\ndate = '%d.%m.%Y %H:%M %z'\n"
+        "columns = {source = 'Datei', unit = 'Serie', date = 'Datum'}\nconditions = {temperature = 'Temp'}\n",
+        ["a;,\t.csv", "b.csv"],
+        {"m": "\ufeffDatei;Serie;Datum;Temp\r\n\"a;,\t.csv\";\"7 \"\"x\"\"\";03.05.2026 12:00 +0200;31.5\r\n"
+              "\r\nb.csv;8;03.05.2026 12:00 +0000;\r\n"},
+        [("a;,\t.csv", '7 "x"', "2026-05-03T10:00", {"temperature": 31.5}),
+         ("b.csv", "8", "2026-05-03T12:00", {})],
+    ),
+    "a manifest with tabs, of logs in two files": (
+        "[[logs]]\nmanifest = 'm.csv'\ndate = 'unix_ms'\nconditions = ['load']\n",
+        ["a.csv", "b.csv", "c+d.csv"],
+        {"m": "source\tunit\tdate\tload\tnote\n"
+              "a.csv+b.csv\t8\t1777809600000\t2\tx\nc+d.csv\t9\t1777809600000\t\t\n"},
+        [("a.csv+b.csv", "8", "2026-05-03T12:00", {"load": 2}), ("c+d.csv", "9", "2026-05-03T12:00", {})],
+    ),
+    "a date for all": (
+        "[[logs]]\nfiles = '{unit}.csv'\ndate = 2026-05-03\n",
+        ["7.csv"], {}, [("7.csv", "7", "2026-05-03T00:00", {})],
+    ),
+    "dates in the logs, and a recording's folder": (
+        "[[logs]]\nfiles = 'bags/{unit}/r?n'\ndate = 'log'\n",
+        ["bags/7/run/metadata.yaml"], {}, [("bags/7/run", "7", "", {})],
+    ),
+}  # fmt: skip
 
 
-def test_a_log_is_counted_once_and_two_entries_complete_each_other(tmp_path: Path) -> None:
-    (tmp_path / "about.csv").write_text("source,temperature\nlogs/7/2026-05-03.csv,31\n", encoding="utf-8")
-    entries = (
-        TYPE + "[[logs]]\nfiles = 'logs/{unit}/{date}.csv'\n"
-        "[[logs]]\nfiles = 'logs/**/{date}.csv'\n[[logs]]\nmanifest = 'about.csv'\n"
-    )
-    fleet = read(tmp_path, entries, "logs/7/2026-05-03.csv")
-    assert logs_of(fleet, tmp_path) == [("logs/7/2026-05-03.csv", "ur5", "7", "2026-05-03T00:00:00+00:00")]
-    assert fleet.logs[0].conditions == {"temperature": 31.0}
-    (tmp_path / "about.csv").write_text("source,unit\nlogs/7/2026-05-03.csv,8\n", encoding="utf-8")
-    assert "about.csv:2: two places differ in the unit" in refusal(tmp_path, entries)
+@pytest.mark.parametrize("name", CASES)
+def test_logs_are_as_the_file_says(name: str, tmp_path: Path) -> None:
+    text, names, texts, expected = CASES[name]
+    logs = read(tmp_path, TYPE + text, *names, **texts).logs
+    assert [
+        (
+            log.source.replace(f"{tmp_path}/", ""),
+            log.unit,
+            "" if math.isnan(log.date) else datetime.fromtimestamp(log.date, UTC).isoformat()[:16],
+            log.conditions,
+        )
+        for log in logs
+    ] == expected
+    assert {log.type for log in logs} == {"ur5"}
 
 
-@pytest.mark.parametrize("mark", [",", ";", "\t"])
-def test_a_manifest_has_quotes_a_byte_order_mark_and_zones(tmp_path: Path, mark: str) -> None:
-    rows = (
-        ("Datei", "Serie", "Datum", "Temp"),
-        ('"a,b;\tc.csv"', '"7 ""x"""', "03.05.2026 12:00 +0200", "31.5"),
-        ("d.csv", "8", "03.05.2026 12:00 +0000", ""),
-    )
-    text = "\ufeff" + "\r\n".join(mark.join(row) for row in rows) + "\r\n"
-    (tmp_path / "list.csv").write_text(text, encoding="utf-8", newline="")
-    fleet = read(
-        tmp_path,
-        TYPE + "[[logs]]\nmanifest = 'list.csv'\ndate = '%d.%m.%Y %H:%M %z'\n"
-        "columns = {source = 'Datei', unit = 'Serie', date = 'Datum'}\n"
-        "conditions = {temperature = 'Temp'}\n",
-        "a,b;\tc.csv",
-        "d.csv",
-    )
-    assert logs_of(fleet, tmp_path) == [
-        ("a,b;\tc.csv", "ur5", '7 "x"', "2026-05-03T10:00:00+00:00"),
-        ("d.csv", "ur5", "8", "2026-05-03T12:00:00+00:00"),
-    ]
-    assert [log.conditions for log in fleet.logs] == [{"temperature": 31.5}, {}]
-
-
-def test_a_manifest_of_json_lines(tmp_path: Path) -> None:
-    (tmp_path / "list.jsonl").write_text(
-        '{"source": "a.csv", "unit": 7, "date": 1777809600, "conditions": {"temperature": 3}}\n\n'
-        '{"source": "b.csv+c.csv", "unit": "8", "date": 1777809601.5, "load": 2}\n',
-        encoding="utf-8",
-    )
-    fleet = read(
-        tmp_path,
-        TYPE + "[[logs]]\nmanifest = 'list.jsonl'\ndate = 'unix'\n",
-        "a.csv",
-        "b.csv",
-        "c.csv",
-    )
-    assert [(log.unit, log.date, log.conditions) for log in fleet.logs] == [
-        ("7", 1777809600.0, {"temperature": 3.0}),
-        ("8", 1777809601.5, {"load": 2.0}),
-    ]
-    assert fleet.logs[1].source == f"{tmp_path}/b.csv+{tmp_path}/c.csv"
-
-
-def test_a_date_may_hold_for_all_or_stand_in_the_log(tmp_path: Path) -> None:
-    entry = TYPE + "[[logs]]\nfiles = '{unit}.csv'\ndate = "
-    fleet = read(tmp_path, entry + "2026-05-03\n", "7.csv", "8.csv")
-    assert {log.date for log in fleet.logs} == {datetime(2026, 5, 3, tzinfo=UTC).timestamp()}
-    fleet = read(tmp_path, entry + "'log'\n")
-    assert all(math.isnan(log.date) for log in fleet.logs)
+def test_what_only_the_logs_say_completes_a_fleet(tmp_path: Path) -> None:
+    fleet = read(tmp_path, TYPE + "[[logs]]\nfiles = '{unit}.csv'\ndate = 'log'\n", "7.csv", "8.csv")
     first, second = (log.source for log in fleet.logs)
     completed = fleet.completed({second: 1.8e9}, {first: {"load": 1.0}})
     assert [log.date for log in completed.logs if log.source == second] == [1.8e9]
@@ -155,29 +130,28 @@ def test_a_date_may_hold_for_all_or_stand_in_the_log(tmp_path: Path) -> None:
 
 def test_a_type_has_a_map_columns_and_parameters(tmp_path: Path) -> None:
     (tmp_path / "map.yaml").write_text("q: joint_%d_pos[deg]\n", encoding="utf-8")
-    (tmp_path / "arm.yaml").write_text(
-        "name: arm\nlinks:\n  - {joint: revolute, mass: m}\n", encoding="utf-8"
-    )
+    arm = "name: arm\nlinks:\n  - {joint: revolute, mass: m}\n"
+    (tmp_path / "arm.yaml").write_text(arm, encoding="utf-8")
     fleet = read(
         tmp_path,
-        "[types.one]\nrobot = 'arm.yaml'\nmap = 'map.yaml'\nparameters = {m = 1.5}\n"
-        "[types.two]\nrobot = 'ur5'\ncolumns = 't=time[ms],q=joint_%d_pos[deg],tau=-i_%d[A]'\n"
+        "name = 'Hall 3'\n[types.one]\nrobot = 'arm.yaml'\nmap = 'map.yaml'\nparameters = {m = 1.5}\n"
+        "[types.two]\nrobot = 'ur10'\ncolumns = 't=time[ms],q=joint_%d_pos[deg],tau=-i_%d[A]'\n"
         "[[logs]]\nfiles = '{type}/{unit}/{date}.csv'\n",
         "one/1/2026-05-03.csv",
         "two/1/2026-05-03.csv",
     )
     one, two = fleet.types["one"], fleet.types["two"]
+    assert (fleet.name, one.mapping) == ("Hall 3", "q: joint_%d_pos[deg]\n")
     assert not read_text(one.text).parameters
-    assert one.mapping == "q: joint_%d_pos[deg]\n"
+    assert "name: ur10" in two.text
     assert two.mapping is not None
     assert map_of_text(two.mapping).groups["t"].unit == "ms"
-    text = refusal(tmp_path, "[types.one]\nrobot = 'arm.yaml'\n[[logs]]\nfiles = '{unit}.csv'\n")
-    assert text.startswith(f"{tmp_path}/fleet.toml:1:1: arm has run-time parameters without values")
-    assert text.endswith("parameters = {NAME = VALUE}")
+    with pytest.raises(InputError, match=r"toml:1:1: arm has .* without values; .*parameters = \{NAME"):
+        read(tmp_path, "[types.one]\nrobot = 'arm.yaml'\n" + FILES)
 
 
 def test_a_folder_without_a_description(tmp_path: Path) -> None:
-    touch(
+    write(
         tmp_path,
         "ur5/7/arm_2026-05-03T1200.csv",
         "ur5/8/2026-05-03/metadata.yaml",
@@ -197,31 +171,91 @@ def test_a_folder_without_a_description(tmp_path: Path) -> None:
         ("ur5", "8", ""),
     ]
     assert fleet.types["ur5"].mapping == "q: joint_%d_pos[deg]\n"
-    touch(tmp_path, "ur5/7/second.csv")
-    with pytest.raises(InputError, match=r"second\.csv: the name of a log has no date"):
-        read_fleet(tmp_path)
     (tmp_path / "empty").mkdir()
-    with pytest.raises(InputError, match="no fleet is recognised"):
-        read_fleet(tmp_path / "empty")
-    touch(tmp_path, "strange/1/2026-05-03.csv")
-    with pytest.raises(InputError, match="the type 'strange' have no description"):
+    for name, folder, message in (
+        ("ur5/7/second.csv", ".", r"second\.csv: the date of a log cannot be read; found 'second'"),
+        ("notes.md", "empty", "no fleet is recognised"),
+        ("strange/1/2026-05-03.csv", ".", "the type 'strange' have no description"),
+        ("notes.md", "gone", "there is no fleet of this name"),
+    ):
+        write(tmp_path, name)
+        with pytest.raises(InputError, match=message):
+            read_fleet(tmp_path / folder)
+    write(tmp_path, "fleet.toml", "FLEET.toml")
+    with pytest.raises(InputError, match=r"FLEET\.toml, fleet\.toml"):
         read_fleet(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("text", "names", "message"),
+    [
+        (f"name = {'9' * 5000}\n", [], "fleet.toml: this is not TOML"),
+        ("name = '''\n" + "x = 1\n" * 300 + "'''\nbad = 1\n" + FILES, [], "fleet.toml: unknown key 'bad'"),
+        (TYPE + FILES, [f"logs/7/2026-05-3{k}.csv" for k in range(2, 9)], r"-32\.csv: .* and 4 more\)"),
+        (TYPE + FILES, ["logs/\x1b[31m..\n$(reboot)/2026-13-03.csv"], r"\\n\$\(reboot\)/2026-13-03.csv: "),
+        (TYPE + MANIFEST, ["m.csv"], "no column 'source'; found nothing"),
+        (TYPE + MANIFEST, [f"source,unit,date\n{LOG},{'7' * 200_000},2026-01-01\n"], "not CSV"),
+        (TYPE + MANIFEST, [f"source,unit,date\n{LOG}\0,7,2026-01-01\n"], "not CSV"),
+        (TYPE + FILES + MANIFEST, [f"source,unit\n{LOG},8\n", LOG], r"m\.csv:2: two .* differ in the unit"),
+        (TYPE + "[[logs]]\nfiles='logs/{unit}/x/{date}.csv'", [LOG], r"in .*logs/a: '2026.*; expected 'x'"),
+        (TYPE + "[[logs]]\nfiles='**/{date}.md'", [LOG], r"no log fits .* expected '\{date\}\.md'"),
+        (TYPE + MANIFEST, ["source,unit,date\nlogs/gone,,\n"], "the fleet has no logs"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_is_refused(text: str, names: list[str], message: str, tmp_path: Path) -> None:
+    """Of ``names`` one that begins with "source" is the text of a manifest."""
+    for name in names:
+        write(tmp_path, *([] if name.startswith("source") else [name]))
+        write(tmp_path, **({"m": name} if name.startswith("source") else {}))
+    with pytest.raises(InputError, match=message) as caught:
+        read(tmp_path, text)
+    assert str(caught.value).isprintable()
+
+
+def test_wrong_paths_of_a_manifest_are_named_and_do_not_end_the_run(tmp_path: Path) -> None:
+    rows = f"source,unit,date,temperature\n{LOG},a,2026-01-01,3\nlogs/gone.csv,,,3\n{'x/' * 2000},,,3\n"
+    fleet = read(tmp_path, TYPE + MANIFEST, LOG, m=rows)
+    assert [log.unit for log in fleet.logs] == ["a"]
+    reasons = [each.why for each in fleet.missing]
+    assert reasons == [f"{tmp_path}/m.csv:{line} names it, and it is not there" for line in (3, 4)]
 
 
 def test_links_that_lead_round_in_circles_end(tmp_path: Path) -> None:
-    touch(tmp_path, "a/b/2026-05-03.csv")
+    text = TYPE + "[[logs]]\nunit = '7'\nfiles = '**/{date}.csv'\n"
+    write(tmp_path, "a/b/2026-05-03.csv", "elsewhere/2026-05-04.csv")
     (tmp_path / "a" / "b" / "loop").symlink_to(tmp_path / "a")
-    fleet = read(tmp_path, TYPE + "[[logs]]\nunit = '7'\nfiles = '**/{date}.csv'\nexclude = 'a/b/loop/*'\n")
-    assert len(fleet.logs) == 1
+    (tmp_path / "a" / "self").symlink_to("self")
+    (tmp_path / "a" / "linked").symlink_to(tmp_path / "elsewhere")
+    sources = [log.source.replace(f"{tmp_path}/", "") for log in read(tmp_path, text).logs]
+    assert sources == ["a/b/2026-05-03.csv", "a/linked/2026-05-04.csv", "elsewhere/2026-05-04.csv"]
 
 
-def test_hostile_names_are_text(tmp_path: Path) -> None:
-    name = "\x1b[31m..\n$(reboot)"
-    fleet = read(tmp_path, TYPE + "[[logs]]\nfiles = '{unit}/{date}.csv'\n", f"{name}/2026-05-03.csv")
-    assert fleet.logs[0].unit == name
-    text = refusal(tmp_path, TYPE + "[[logs]]\nfiles = '{unit}/{date}.csv'\n", f"{name}/2026-13-03.csv")
-    assert "\x1b" not in text
-    assert "2026-13-03.csv: the date of a log cannot be read from its path" in text
+def test_a_folder_that_cannot_be_read_may_be_left_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write(tmp_path, LOG, "logs/shut/2026-01-01.csv")
+    scandir = os.scandir
+
+    def refusing(path: str | Path) -> object:
+        if str(path).endswith("shut"):
+            raise PermissionError(13, "Permission denied", path)
+        return scandir(path)
+
+    monkeypatch.setattr(os, "scandir", refusing)
+    with pytest.raises(InputError, match=r"shut: the folder cannot be read.*leave it out \(exclude\)"):
+        read(tmp_path, TYPE + FILES)
+    assert len(read(tmp_path, TYPE + FILES + "exclude = 'logs/shut'\n").logs) == 1
+
+
+def test_a_log_named_with_its_folder_and_without_is_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    whole = f"[[logs]]\nfiles = '{tmp_path.as_posix()}/../{tmp_path.name}/logs/{{unit}}/{{date}}.csv'\n"
+    write(tmp_path, LOG)
+    Path("fleet.toml").write_text(TYPE + FILES + whole, encoding="utf-8")
+    (log,) = read_fleet("fleet.toml").logs
+    assert log.source == LOG
 
 
 def test_the_example_is_a_fleet() -> None:
@@ -233,3 +267,47 @@ def test_the_example_is_a_fleet() -> None:
     assert (folder / "fleet.toml").read_text(encoding="utf-8") in page
     log = read_log(fleet.logs[0].source, 3)
     assert (log.samples, log.t[-1]) == (401, 8.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "good"),
+    [
+        (TYPE + FILES, True),
+        ("name = 'x'\ntimezone = 'UTC'\n[types.ur5]\nrobot = 'ur5'\nparameters = {}\n" + FILES, True),
+        (TYPE + FILES + "exclude = ['a/*']\nconditions = {load = 2}\ntype = 'ur5'\n", True),
+        (TYPE + MANIFEST + "columns = {unit = 'serial'}\nconditions = ['load']\n", True),
+        (TYPE + MANIFEST + "conditions = {load = 'load'}\nexclude = 'b*'\n", True),
+        (TYPE, False),
+        (FILES, False),
+        ("[types]\n" + FILES, False),
+        (TYPE + "logs = []\n" + FILES, False),
+        ("name = 3\n" + TYPE + FILES, False),
+        (TYPE + "map = 'm.yaml'\ncolumns = 'q=q%d'\n" + FILES, False),
+        (TYPE + "parameters = {m = 'x'}\n" + FILES, False),
+        (TYPE + FILES + "manifest = 'm.csv'\n", False),
+        (TYPE + FILES + "columns = {unit = 'x'}\n", False),
+        (TYPE + FILES + "conditions = ['load']\n", False),
+        (TYPE + FILES + "exclude = [3]\n", False),
+        (TYPE + FILES + "date = 3\n", False),
+        (TYPE + MANIFEST + "columns = {serial = 'unit'}\n", False),
+        (TYPE + MANIFEST + "conditions = [3]\n", False),
+        (TYPE + MANIFEST + "conditions = {load = 3}\n", False),
+        (TYPE + "[[logs]]\nunit = 'x'\n", False),
+    ],
+)
+def test_the_schema_and_the_reader_agree(
+    text: str, good: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    jsonschema = require_module("jsonschema")
+    assert main(["schema", "--fleet-file"]) == 0
+    schema = json.loads(capsys.readouterr().out)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    assert jsonschema.Draft202012Validator(schema).is_valid(tomllib.loads(text)) == good
+    (tmp_path / "map.yaml").write_text("q: q%d\n", encoding="utf-8")
+    try:
+        manifest = f"source,serial,unit,date,load\n{LOG},7,7,2026-05-03,1\n"
+        assert read(tmp_path, text, LOG, m=manifest).logs
+    except InputError:
+        assert not good
+    else:
+        assert good

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -53,8 +52,6 @@ def _fleet(text: str, folder: Path) -> None:
 
 def _manifest(text: str, folder: Path) -> None:
     (folder / "a.csv").touch()
-    (folder / "logs").mkdir()
-    os.mkfifo(folder / "pipe.csv")
     (folder / "m.csv").write_text(text, encoding="utf-8")
     (folder / "fleet.toml").write_text("[types.ur5]\n[[logs]]\nmanifest = 'm.csv'\n", encoding="utf-8")
     read_fleet(folder)

@@ -128,9 +128,12 @@ def run_fleet(
         digests = digests.without(dateless)
         reasons = {**dateless, **logs.unused, **refused}
         unused = [
-            Unused(log.source, log.type, log.unit, reasons[log.source])
-            for log in fleet.logs
-            if log.source in reasons
+            *fleet.missing,
+            *(
+                Unused(log.source, log.type, log.unit, reasons[log.source])
+                for log in fleet.logs
+                if log.source in reasons
+            ),
         ]
         if not digests:
             raise _nothing(fleet, unused)

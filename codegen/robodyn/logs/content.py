@@ -33,6 +33,20 @@ def input_files(source: str) -> list[Path]:
     return files
 
 
+def _without_pipes(source: str) -> list[Path]:
+    """The files of a log.
+
+    Raises
+    ------
+    OSError: one is a pipe or the like: whoever opens it may wait for ever.
+    """
+    files = input_files(source)
+    for path in files:
+        if path.exists() and not path.is_file():
+            raise OSError(f"{path} is neither a file nor a folder")
+    return files
+
+
 def digest(source: str) -> str:
     """SHA-256 of a log: of its file, or of the hashes of its files.
 
@@ -41,7 +55,7 @@ def digest(source: str) -> str:
     OSError: one of them cannot be read.
     """
     digests = []
-    for path in input_files(source):
+    for path in _without_pipes(source):
         with path.open("rb") as file:
             digests.append(hashlib.file_digest(file, "sha256").hexdigest())
     return digests[0] if len(digests) == 1 else hashlib.sha256("+".join(digests).encode()).hexdigest()
@@ -58,6 +72,6 @@ def signature(source: str) -> tuple[str, int]:
     ------
     OSError: one of them is not there.
     """
-    states = [path.stat() for path in input_files(source)]
+    states = [path.stat() for path in _without_pipes(source)]
     text = " ".join(f"{state.st_size}@{state.st_mtime_ns}@{state.st_ctime_ns}" for state in states)
     return text, max((state.st_mtime_ns for state in states), default=0)

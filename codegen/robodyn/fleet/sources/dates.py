@@ -4,27 +4,24 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta, timezone, tzinfo
+from datetime import UTC, datetime, tzinfo
 from typing import Final
 
 from robodyn.errors import InputError
-from robodyn.fleet.limits import LONGEST_FORMAT
 from robodyn.logs.limits import EARLIEST, LATEST
 from robodyn.robot.names import shown
 
 #: ISO 8601, and what becomes of it in names of files: no colons, other marks for T. Without a day or with a
 #: part of the time only it is none.
-ISO: Final = (
-    r"\d{4}-?[01]\d-?[0-3]\d"
-    r"(?:[T_ -]?[0-2]\d[:_.-]?[0-5]\d(?:[:_.-]?[0-6]\d(?:[.,]\d{1,9})?)?"
-    r"(?: ?(?:Z|[+-][01]\d:?[0-5]\d))?)?"
+_PARTS: Final = (
+    r"(\d{4})-?([01]\d)-?([0-3]\d)"
+    r"(?:[T_ -]?([0-2]\d)[:_.-]?([0-5]\d)(?:[:_.-]?([0-6]\d)(?:[.,](\d{1,9}))?)?"
+    r"(?: ?(Z|[+-][01]\d:?[0-5]\d))?)?"
 )
-_PARTS: Final = re.compile(
-    r"(\d{4})-?(\d\d)-?(\d\d)"
-    r"(?:[T_ -]?(\d\d)[:_.-]?(\d\d)(?:[:_.-]?(\d\d)(?:[.,](\d{1,9}))?)?"
-    r"(?: ?(Z|[+-]\d\d:?\d\d))?)?\Z",
-    re.ASCII,
-)
+#: The same as a part of another regular expression, without groups.
+ISO: Final = re.sub(r"\((?!\?)", "(?:", _PARTS)
+#: A date in the name of a log.
+_IN_NAME: Final = re.compile(rf"(?<!\d){ISO}(?!\d)", re.ASCII)
 #: [s]
 DAY: Final = 86400.0
 #: Words in place of a format: seconds and milliseconds since 1970.
@@ -35,11 +32,6 @@ _DIRECTIVES: Final = {
     **dict.fromkeys("mdyHIMSUWV", r"\d{1,2}"), **dict.fromkeys("uw", r"\d"),
     **dict.fromkeys("aAbBp", r"[^\W\d_]+"),
 }  # fmt: skip
-_OFFSET: Final = re.compile(r"(?:UTC)?([+-])([01]\d):?([0-5]\d)\Z", re.ASCII)
-
-
-class NotADate(ValueError):
-    """A text that is no date; the message says what was expected."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +40,7 @@ class DateFormat:
     of dates that state none."""
 
     format: str
-    zone: tzinfo
+    zone: tzinfo = UTC
 
     @property
     def expected(self) -> str:
@@ -62,23 +54,29 @@ class DateFormat:
 
         Raises
         ------
-        NotADate: it says none, or one that no log can have.
+        InputError: it says none, or one that no log can have.
         """
+        expected = self.expected
         try:
             seconds = self._seconds(text.strip())
+            if EARLIEST <= seconds < LATEST:
+                return seconds
+            expected = "a date from 1990 to 2099"
         except (ValueError, OverflowError):
-            raise NotADate(self.expected) from None
-        if not EARLIEST <= seconds < LATEST:
-            raise NotADate("a date from 1990 to 2099")
-        return seconds
+            pass
+        raise InputError(
+            "the date of a log cannot be read",
+            found=shown(text),
+            expected=expected,
+            remedy="correct it, leave the log out (exclude), or say in fleet.toml how dates are written: "
+            "date = '%d.%m.%Y', or 'unix'",
+        )
 
     def _seconds(self, text: str) -> float:
         if self.format in UNIX:
             return float(text) / UNIX[self.format]
         moment = datetime.strptime(text, self.format) if self.format else iso(text)
-        if moment.tzinfo is None:
-            moment = moment.replace(tzinfo=self.zone)
-        return moment.timestamp()
+        return (moment if moment.tzinfo else moment.replace(tzinfo=self.zone)).timestamp()
 
 
 def iso(text: str) -> datetime:
@@ -88,13 +86,24 @@ def iso(text: str) -> datetime:
     ------
     ValueError: it is none.
     """
-    match = _PARTS.match(text)
+    match = re.fullmatch(_PARTS, text, re.ASCII)
     if match is None:
         raise ValueError(text)
-    numbers = [int(digits or 0) for digits in match.groups()[:6]]
+    year, month, day, hour, minute, second = (int(digits or 0) for digits in match.groups()[:6])
     micros = int((match[7] or "").ljust(6, "0")[:6])
-    zone = None if match[8] is None else UTC if match[8] == "Z" else zone_of(match[8])
-    return datetime(*numbers, micros, tzinfo=zone)  # type: ignore[arg-type, misc]
+    zone = zone_of(match[8]) if match[8] else None
+    return datetime(year, month, day, hour, minute, second, micros, zone)
+
+
+def date_in(name: str) -> re.Match[str] | None:
+    """Where the name of a file has a date; None where it has none."""
+    match = _IN_NAME.search(name)
+    try:
+        if match is not None:
+            DateFormat("").seconds(match[0])
+    except InputError:
+        return None
+    return match
 
 
 def zone_of(text: str) -> tzinfo:
@@ -102,32 +111,19 @@ def zone_of(text: str) -> tzinfo:
 
     Raises
     ------
-    ValueError: there is none.
+    InputError: there is none.
     """
-    offset = _OFFSET.match(text)
-    if offset is not None:
-        span = timedelta(hours=int(offset[2]), minutes=int(offset[3]))
-        return timezone(-span if offset[1] == "-" else span)
-    if text in ("UTC", "Z"):
-        return UTC
+    try:
+        zone = datetime.strptime(text.removeprefix("UTC") or "Z", "%z").tzinfo
+    except ValueError:
+        zone = None
+    if zone is not None:
+        return zone
     import zoneinfo
 
     try:
         return zoneinfo.ZoneInfo(text)
     except (KeyError, OSError, ValueError):
-        raise ValueError(text) from None
-
-
-def checked_zone(text: str) -> tzinfo:
-    """As :func:`zone_of`.
-
-    Raises
-    ------
-    InputError: there is no such zone.
-    """
-    try:
-        return zone_of(text)
-    except ValueError:
         raise InputError(
             "there is no such time zone",
             found=shown(text),
@@ -147,8 +143,6 @@ def check_format(text: str) -> str:
         return text
     day = datetime(2026, 5, 3, 12, 34, tzinfo=UTC)
     try:
-        if len(text) > LONGEST_FORMAT:
-            raise ValueError(text)
         year = datetime.strptime(day.strftime(text), text).year
     except (ValueError, re.error, OverflowError):
         year = None
@@ -166,9 +160,4 @@ def regex_of(text: str) -> str:
     """A regular expression for the texts that dates of the format ``text`` can be."""
     if text in UNIX:
         return r"\d{1,16}(?:\.\d+)?"
-    if not text:
-        return ISO
-    pieces = re.split(r"%(.)", text)
-    literals = map(re.escape, pieces[::2])
-    directives = [_DIRECTIVES.get(letter, ".+?") for letter in pieces[1::2]]
-    return "".join(part for pair in zip(literals, [*directives, ""], strict=True) for part in pair)
+    return re.sub(r"%(.)", lambda match: _DIRECTIVES.get(match[1], "[^/]+?"), re.escape(text)) or ISO

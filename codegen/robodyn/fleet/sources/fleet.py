@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from robodyn.errors import InputError, Place
+from robodyn.errors import InputError
 from robodyn.files import label, read_text
+from robodyn.fleet.result import Unused
 from robodyn.formats.loading import load, text_of
-from robodyn.logs.map_text import map_text
-from robodyn.logs.mapping import SIZE, map_of_columns, map_of_text
+from robodyn.logs.mapping import SIZE, map_of_text
 from robodyn.robot.writer import to_yaml
 
 #: The date of a log whose own times say it: it is known once the log has been read.
@@ -51,11 +51,13 @@ class LogFile:
 
 @dataclass(frozen=True, slots=True)
 class Fleet:
-    """``types`` by name, and ``logs`` in the order of type, unit, date and source."""
+    """``types`` by name, and ``logs`` in the order of type, unit, date and source; ``missing``: logs that are
+    named, but not there, and of which nothing says whose they are."""
 
     name: str
     types: Mapping[str, ArmType]
     logs: tuple[LogFile, ...]
+    missing: tuple[Unused, ...] = ()
 
     def completed(self, began: Mapping[str, float], conditions: Mapping[str, Mapping[str, float]]) -> Fleet:
         """This fleet with what only the logs themselves say, by their sources: when they ``began`` [s since
@@ -73,50 +75,26 @@ class Fleet:
 
 
 def arm_type(
-    name: str,
-    spec: str,
-    map_path: Path | None,
-    columns: str | None,
-    parameters: Mapping[str, float],
-    place: Callable[[str], Place],
+    name: str, spec: str, mapping: Path | None, parameters: Mapping[str, float] | None = None
 ) -> ArmType:
     """The type ``name`` of the arms that ``spec`` describes, with its run-time ``parameters`` at these
-    values; its logs by the map at ``map_path``, or by ``columns`` in one line. ``place``: where a key of it
-    is stated.
+    values; its logs by the map in the file ``mapping``.
 
     Raises
     ------
-    InputError: a file is not there, or says what it may not; a parameter has no value.
+    InputError: a file says what it may not; a parameter has no value.
     ToolError: a library for the description's format is missing.
     """
     robot = load(spec, warn=lambda _: None)  # whoever uses it says what is doubtful
+    text = text_of(spec)
     if robot.parameters or parameters:
         try:
-            text = to_yaml(robot.at(parameters))
+            text = to_yaml(robot.at(parameters or {}))
         except InputError as error:
-            raise InputError(
-                error.what,
-                where=place("parameters"),
-                found=error.found,
-                expected=error.expected,
-                remedy="say them in the table of the type: parameters = {NAME = VALUE}",
-            ) from None
-    else:
-        text = text_of(spec)
-    mapping = None
-    if map_path is not None:
-        if not map_path.is_file():
-            raise InputError(
-                "there is no such map",
-                where=place("map"),
-                found=label(map_path),
-                expected="a path, as seen from this file's folder",
-            )
-        mapping = read_text(map_path, SIZE, "a map of logs, such as map.yaml")
-        map_of_text(mapping, label(map_path))
-    elif columns is not None:
-        try:
-            mapping = map_text(map_of_columns(columns), {})
-        except InputError as error:
-            raise error.at(place("columns")) from None
-    return ArmType(name, spec, text, mapping)
+            error.remedy = "say them in the table of the type: parameters = {NAME = VALUE}"
+            raise
+    if mapping is None:
+        return ArmType(name, spec, text)
+    columns = read_text(mapping, SIZE, "a map of logs, such as map.yaml")
+    map_of_text(columns, label(mapping))
+    return ArmType(name, spec, text, columns)

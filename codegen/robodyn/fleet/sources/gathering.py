@@ -2,79 +2,92 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from robodyn.errors import InputError, Place, did_you_mean
 from robodyn.files import label
 from robodyn.fleet.as_json import day
-from robodyn.fleet.limits import LISTED, LONGEST_NAME, MOST_CONDITIONS, MOST_LOGS
+from robodyn.fleet.limits import LISTED, LONGEST_NAME
+from robodyn.fleet.result import Unused
+from robodyn.fleet.sources.dates import DateFormat
 from robodyn.fleet.sources.fleet import IN_LOG, ArmType, Fleet, LogFile
+from robodyn.fleet.sources.pattern import DATE, TEXTS
+from robodyn.logs.content import files_of
 from robodyn.robot.names import shown
 
-_MEND: Final = "correct one of them, or leave one out with exclude"
+#: The date of logs whose own times are dates.
+IN_LOG_WORD: Final = "log"
+#: What a log must have, and where it may be stated.
+_NEEDED: Final = {
+    "type": "{type} in the pattern, a column of the manifest, or type = ...",
+    "unit": "{unit} in the pattern, a column of the manifest, or unit = ...",
+    "date": "{date} in the pattern, a column of the manifest, or date = 'log' for times in it",
+}
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Facts:
-    """What one place says of a log: ``where`` it does; ``in_log``: whether the log itself has its date."""
+    """What one place says of a log: ``where`` it does; what is ``stated`` by its name, of type, unit, date
+    [s since 1970] and :data:`IN_LOG_WORD`, if the times in the log are dates; ``conditions``."""
 
     where: Place
-    type: str | None = None
-    unit: str | None = None
-    date: float | None = None
-    in_log: bool = False
-    conditions: Mapping[str, float] = field(default_factory=dict)
+    stated: dict[str, Any] = field(default_factory=dict)
+    conditions: dict[str, float] = field(default_factory=dict)
 
 
 class Gathering:
     """The logs of a fleet: each once, however many places speak of it."""
 
     def __init__(self) -> None:
-        self._facts: dict[str, Facts] = {}
-        self._sources: dict[str, str] = {}
+        self._logs: dict[str, tuple[str, Facts]] = {}
         self._faults: dict[str, list[InputError]] = {}
 
-    def add(self, source: str, facts: Facts) -> None:
-        """Take up what ``facts`` say of the log ``source``.
+    def take(
+        self, source: str, where: Place, texts: Mapping[str, str], fixed: Facts, dates: DateFormat | None
+    ) -> None:
+        """Take up the ``texts`` by their names that stand ``where`` of the log ``source``, beside what is
+        ``fixed`` of several: type, unit, its date as ``dates`` are written, and conditions.
 
         Raises
         ------
-        InputError: there are too many logs, or another place says otherwise.
+        InputError: another place says otherwise.
         """
+        facts = Facts(where, dict(fixed.stated), dict(fixed.conditions))
+        try:
+            for name, text in texts.items():
+                if name in TEXTS:
+                    facts.stated[name] = text
+                elif name != DATE:
+                    facts.conditions[name] = _number(name, text)
+                elif dates is not None:
+                    facts.stated[name] = dates.seconds(text)
+        except InputError as error:
+            self._fault(error.at(where))
+        else:
+            self._add(source, facts)
+
+    def _add(self, source: str, facts: Facts) -> None:
         key = "+".join(os.path.abspath(part) for part in source.split("+"))  # noqa: PTH100 (a million)
         source = "+".join(os.path.normpath(part) for part in source.split("+"))
-        source = self._sources.setdefault(key, source)
-        own = self._facts.setdefault(key, facts)
-        if len(self._facts) > MOST_LOGS:
-            raise InputError("there are too many logs", where=facts.where, found=f"more than {MOST_LOGS}")
-        if own is facts:
-            return
-        pairs = {
-            "type": (own.type, facts.type),
-            "unit": (own.unit, facts.unit),
-            "date": (own.date, facts.date),
-            **{name: (own.conditions.get(name), value) for name, value in facts.conditions.items()},
-        }
-        for name, (one, other) in pairs.items():
-            if one is not None and other is not None and one != other:
-                raise InputError(
-                    f"two places differ in the {name} of {label(source)}",
-                    where=facts.where,
-                    found=_in_words(name, other),
-                    expected=f"{_in_words(name, one)}, as {own.where} has it",
-                    remedy=_MEND,
-                )
-        own.type, own.unit = own.type or facts.type, own.unit or facts.unit
-        own.date = facts.date if own.date is None else own.date
-        own.in_log = own.in_log or facts.in_log
-        own.conditions = {**own.conditions, **facts.conditions}
+        source, own = self._logs.setdefault(key, (source, facts))
+        for before, now in ((own.stated, facts.stated), (own.conditions, facts.conditions)):
+            for name, value in now.items():
+                if before.setdefault(name, value) != value:
+                    one, other = (day(x) if name == DATE else shown(str(x)) for x in (before[name], value))
+                    raise InputError(
+                        f"two places differ in the {name} of {label(source)}",
+                        where=facts.where,
+                        found=other,
+                        expected=f"{one}, as {own.where} has it",
+                        remedy="correct one of them, or leave one out with exclude",
+                    )
 
-    def fault(self, error: InputError) -> None:
-        """Note what is wrong with one log; :meth:`fleet` says it, with how many others have the same."""
+    def _fault(self, error: InputError) -> None:
         self._faults.setdefault(error.what, []).append(error)
 
     def fleet(self, name: str, types: Mapping[str, ArmType], where: Place) -> Fleet:
@@ -84,17 +97,25 @@ class Gathering:
         ------
         InputError: there are no logs; one lacks its type, unit or date, or has those that no log can have.
         """
-        logs = []
-        for key, facts in self._facts.items():
+        logs, missing = [], []
+        for source, facts in self._logs.values():
+            if len(types) == 1:
+                facts.stated.setdefault("type", next(iter(types)))
+            if IN_LOG_WORD in facts.stated:
+                facts.stated.setdefault(DATE, IN_LOG)
+            if not facts.stated.keys() >= _NEEDED.keys() and not _is_there(source):
+                kind, unit = (facts.stated.get(key, "") for key in ("type", "unit"))
+                missing.append(Unused(source, kind, unit, f"{facts.where} names it, and it is not there"))
+                continue
             try:
-                logs.append(_log(self._sources[key], facts, types))
+                logs.append(_log(source, facts, types))
             except InputError as error:
-                self.fault(error)
+                self._fault(error)
         for same in self._faults.values():
             raise _with_others(same)
         if not logs:
             raise InputError("the fleet has no logs", where=where, found="none, or all of them excluded")
-        return Fleet(name, types, tuple(sorted(logs, key=lambda log: log.order)))
+        return Fleet(name, types, tuple(sorted(logs, key=lambda log: log.order)), tuple(missing))
 
 
 def _log(source: str, facts: Facts, types: Mapping[str, ArmType]) -> LogFile:
@@ -105,9 +126,10 @@ def _log(source: str, facts: Facts, types: Mapping[str, ArmType]) -> LogFile:
     InputError: something is missing, or cannot be.
     """
     where = facts.where
-    kind = facts.type or (next(iter(types)) if len(types) == 1 else None)
-    if kind is None:
-        raise _lacks("type", where, "{type} in the pattern, a column of the manifest, or type = ...")
+    for what, remedy in _NEEDED.items():
+        if what not in facts.stated:
+            raise InputError(f"the {what} of a log is not known", where=where, remedy=f"say it: {remedy}")
+    kind, unit, date = (facts.stated[name] for name in _NEEDED)
     if kind not in types:
         raise InputError(
             f"there is no type called {shown(kind)}",
@@ -115,27 +137,13 @@ def _log(source: str, facts: Facts, types: Mapping[str, ArmType]) -> LogFile:
             expected=f"one of {', '.join(map(shown, list(types)[:8]))}",
             remedy=did_you_mean(kind, types) or "write a table for it, [types.NAME], or exclude its logs",
         )
-    if facts.unit is None:
-        raise _lacks("unit", where, "{unit} in the pattern, a column of the manifest, or unit = ...")
-    if facts.date is None and not facts.in_log:
-        raise _lacks(
-            "date", where, "{date} in the pattern, a column of the manifest, or date = 'log' for times in it"
-        )
-    for what, text in (("the unit", facts.unit), *(("a condition", name) for name in facts.conditions)):
+    for what, text in (("the unit", unit), *(("a condition", name) for name in facts.conditions)):
         check_name(text, what, where)
-    try:
-        source.encode()
-    except UnicodeEncodeError:
+    if not _is_text(source):
         raise InputError(
             "the name of a log is not UTF-8", where=where, remedy="rename it, or leave it out with exclude"
-        ) from None
-    if len(facts.conditions) > MOST_CONDITIONS:
-        raise InputError(
-            "a log has too many conditions", where=where, found=str(len(facts.conditions)),
-            expected=f"at most {MOST_CONDITIONS}", remedy="say which: conditions = ['temperature']",
-        )  # fmt: skip
-    date = IN_LOG if facts.date is None else facts.date
-    return LogFile(source, kind, facts.unit, date, dict(sorted(facts.conditions.items())))
+        )
+    return LogFile(source, kind, unit, date, dict(sorted(facts.conditions.items())))
 
 
 def check_name(text: str, what: str, where: Place | None = None) -> None:
@@ -145,12 +153,7 @@ def check_name(text: str, what: str, where: Place | None = None) -> None:
     ------
     InputError: it is empty, too long, or not UTF-8.
     """
-    try:
-        text.encode()
-        sound = 0 < len(text) <= LONGEST_NAME and bool(text.strip())
-    except UnicodeEncodeError:
-        sound = False
-    if not sound:
+    if not text.strip() or len(text) > LONGEST_NAME or not _is_text(text):
         raise InputError(
             f"{what} cannot be called so",
             where=where,
@@ -159,34 +162,42 @@ def check_name(text: str, what: str, where: Place | None = None) -> None:
         )
 
 
-def _in_words(name: str, value: str | float) -> str:
-    """The ``value`` of ``name`` for a message."""
-    return day(value) if name == "date" and isinstance(value, float) else shown(str(value))
+def _number(name: str, text: str) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if math.isfinite(number):
+        return number
+    raise InputError(
+        f"the condition {shown(name)} is not a number",
+        found=shown(text),
+        expected="a number, decimals with a point, or nothing",
+        remedy="correct it, or say which columns of a manifest are conditions: conditions = ['temperature']",
+    )
 
 
-def _lacks(what: str, where: Place, remedy: str) -> InputError:
-    return InputError(f"the {what} of a log is not known", where=where, remedy=f"say it: {remedy}")
+def _is_there(source: str) -> bool:
+    return all(os.path.exists(part) for part in files_of(source))  # noqa: PTH110 (never raises)
+
+
+def _is_text(name: str) -> bool:
+    """Whether UTF-8 has the ``name``: those of files may hold bytes that are none."""
+    return not any("\ud800" <= c <= "\udfff" for c in name)
 
 
 def _with_others(errors: list[InputError]) -> InputError:
     """The first of ``errors``, which have one fault, with how many more there are."""
     first, more = errors[0], errors[1:]
-    if not more:
-        return first
-    names = ", ".join(str(error.where) for error in more[: LISTED - 1])
-    others = f"so are {names}" + (f" and {len(more) - LISTED + 1} more" if len(more) >= LISTED else "")
-    return InputError(
-        first.what,
-        where=first.where,
-        found=first.found,
-        expected=first.expected,
-        remedy=f"{first.remedy} ({others})" if first.remedy else others,
-    )
+    if more:
+        names = ", ".join(str(error.where) for error in more[: LISTED - 1])
+        others = f"so are {names}" + (f" and {len(more) - LISTED + 1} more" if len(more) >= LISTED else "")
+        first.remedy = f"{first.remedy} ({others})" if first.remedy else others
+    return first if first.where is None else first.at(first.where)
 
 
 def source_of(folder: Path, text: str) -> str:
     """The path of a log that a file in ``folder`` calls ``text``; of two that are joined by ``+``, both."""
-    whole = folder / text
-    if "+" not in text or whole.exists():
-        return str(whole)
+    if "+" not in text or (folder / text).exists():
+        return str(folder / text)
     return "+".join(str(folder / part) for part in text.split("+"))

@@ -7,19 +7,16 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
-from datetime import UTC
 from pathlib import Path
 from typing import Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label
-from robodyn.fleet.limits import MOST_ENTRIES
-from robodyn.fleet.sources.dates import DateFormat, NotADate
-from robodyn.fleet.sources.folder import DATE, DESCRIPTIONS
+from robodyn.fleet.sources.dates import date_in
+from robodyn.fleet.sources.folder import DESCRIPTIONS, description_of
 from robodyn.formats.loading import load
 from robodyn.logs.formats import is_log
 from robodyn.logs.log import read_log
-from robodyn.resources import bundled_robot
 from robodyn.robot.names import shown
 
 #: The field of a pattern that is a type.
@@ -68,14 +65,15 @@ def propose_fleet(folder: Path) -> Proposal:
         types.setdefault(log.relative_to(folder).parts[0] if _TYPE in pattern else plain, log)
     lines = [f"name = {_quoted(folder.resolve().name or 'fleet')}", ""]
     for name, log in sorted(types.items()):
-        robot = _description(folder, name)
-        if robot is None:
+        path = description_of(folder, name)
+        robot = name if path is None or folder not in path.parents else str(path.relative_to(folder))
+        if path is None:
             robot = f"{name}.yaml"
             remarks.append(
                 f"{robot} is not there: write the description of the arms, or the name of a bundled one"
             )
         else:
-            remarks += _columns_remark(folder, robot, log)
+            remarks += _columns_remark(path, log)
         lines += [f"[types.{_quoted(name)}]", f"robot = {_quoted(robot)}", ""]
     patterns = Counter(pattern for _, pattern in fitting)
     for pattern, count in sorted(patterns.items(), key=lambda item: (-item[1], item[0])):
@@ -92,14 +90,7 @@ def _quoted(text: str) -> str:
 
 
 def _logs(folder: Path) -> Iterator[Path]:
-    for count, path in enumerate(folder.rglob("*")):
-        if count >= MOST_ENTRIES:
-            raise InputError(
-                "the folder has too many files",
-                where=Place(label(folder)),
-                found=f"more than {MOST_ENTRIES}",
-                remedy="name the folder of the logs",
-            )
+    for path in folder.rglob("*"):
         parts = path.relative_to(folder).parts
         if is_log(path) and path.is_file() and not any(part.startswith(".") for part in parts):
             try:
@@ -114,12 +105,8 @@ def _logs(folder: Path) -> Iterator[Path]:
 def _pattern(path: Path) -> str | None:
     """The pattern of a log's ``path``, relative to its fleet's folder; None without a date in its name. What
     its name has beside the date is the unit, else the folder that it is in; one folder above is the type."""
-    found = DATE.search(path.stem)
+    found = date_in(path.stem)
     if found is None:
-        return None
-    try:
-        DateFormat("", UTC).seconds(found[0])
-    except NotADate:
         return None
     folders, units = list(path.parts[:-1]), list[str]()
     before, after = (_MARKS.sub("?", part) for part in (path.stem[: found.start()], path.stem[found.end() :]))
@@ -144,20 +131,10 @@ def _only_type(folder: Path) -> str:
     return files[0].name.split(".")[0] if len(files) == 1 else folder.resolve().name or "arm"
 
 
-def _description(folder: Path, name: str) -> str | None:
-    """The description of a type: a file of its name, or a bundled robot."""
-    for place in (folder, folder / name):
-        for ending in DESCRIPTIONS:
-            if (place / f"{name}{ending}").is_file():
-                return str((place / f"{name}{ending}").relative_to(folder))
-    return name if bundled_robot(name) is not None else None
-
-
-def _columns_remark(folder: Path, robot: str, log: Path) -> Iterator[str]:
+def _columns_remark(robot: Path, log: Path) -> Iterator[str]:
     """What there is to say of the columns of a type's ``log``."""
-    own = folder / robot
     try:
-        arm = load(str(own) if own.is_file() else robot, warn=lambda _: None)
+        arm = load(str(robot), warn=lambda _: None)
         read_log(str(log), arm.n, robot=arm)
     except InputError as error:
         yield f"{log.name} is not read as it is ({error.what}): write a map of its columns, see robodyn logs"

@@ -2,35 +2,30 @@
 
 from __future__ import annotations
 
-import math
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from datetime import UTC, date, datetime, tzinfo
-from functools import partial
+from dataclasses import replace
+from datetime import UTC, date, tzinfo
 from pathlib import Path
 from typing import Any, Final
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label, read_text
 from robodyn.fleet.limits import LARGEST_FILE
-from robodyn.fleet.sources.dates import DateFormat, NotADate, check_format, checked_zone
+from robodyn.fleet.sources.dates import DateFormat, check_format, zone_of
 from robodyn.fleet.sources.fleet import ArmType, Fleet, arm_type
 from robodyn.fleet.sources.folder import fleet_of_folder
-from robodyn.fleet.sources.gathering import Facts, Gathering, check_name
+from robodyn.fleet.sources.gathering import IN_LOG_WORD, Facts, Gathering, check_name
 from robodyn.fleet.sources.manifest import COLUMNS, Manifest, read_manifest
-from robodyn.fleet.sources.pattern import DATE, TEXTS, Match, Pattern, matches, pattern_of
+from robodyn.fleet.sources.pattern import DATE, TEXTS, matches, pattern_of
+from robodyn.fleet.sources.schema import OF_FILES, OF_MANIFEST, OF_TYPE, TOP
+from robodyn.logs.map_text import map_text
+from robodyn.logs.mapping import map_of_columns
 from robodyn.project.tables import Key, Tables, shown
 
 #: What the file is called in a folder, in small letters or large ones.
 FILE: Final = "fleet.toml"
-#: The word for dates and times that stand in the logs themselves.
-IN_LOG_WORD: Final = "log"
-#: Keys of the file, of a type, and of an entry of logs.
-TOP: Final = ("name", "timezone", "types", "logs")
-OF_TYPE: Final = ("robot", "map", "columns", "parameters")
-OF_LOGS: Final = (
-    "files", "manifest", "exclude", "type", "unit", "date", "timezone", "conditions", "columns",
-)  # fmt: skip
 
 
 def read_fleet(path: str | Path) -> Fleet:
@@ -81,7 +76,7 @@ class _Reader:
     """Reads the tables of one file; relative paths in it start in ``folder``."""
 
     def __init__(self, tables: Tables, folder: Path) -> None:
-        self.tables, self.folder = tables, folder
+        self.tables, self.folder, self.gathering = tables, folder, Gathering()
         self.file = Place(tables.places.file)
 
     def fleet(self) -> Fleet:
@@ -89,8 +84,14 @@ class _Reader:
         top = self.tables.table()
         name = self._name(("name",), top.get("name", self.folder.resolve().name or "fleet"))
         zone = self._zone(("timezone",), top, UTC)
-        types = dict(self._types())
-        gathering = Gathering()
+        types = {name: self._type(name) for name in self.tables.table("types")}
+        if not types:
+            raise InputError(
+                "the fleet has no types",
+                where=self.tables.places.of("types"),
+                expected="a table for each",
+                remedy="write [types.NAME], and below it robot = 'arms/arm.yaml', or a bundled robot",
+            )
         entries = top.get("logs", [])
         if not isinstance(entries, list) or not entries or not all(isinstance(e, dict) for e in entries):
             raise InputError(
@@ -100,137 +101,79 @@ class _Reader:
                 expected='[[logs]], and below it files = "logs/{type}/{unit}/{date}.csv"',
             )
         for k, entry in enumerate(entries):
-            self.tables.check_keys(("logs", k), OF_LOGS)
-            self._entry(("logs", k), entry, zone, gathering)
-        return gathering.fleet(name, types, self.file)
+            self._entry(("logs", k), entry, zone)
+        return self.gathering.fleet(name, types, self.file)
 
-    def _types(self) -> Iterator[tuple[str, ArmType]]:
-        types = self.tables.table("types")
-        if not types:
-            raise InputError(
-                "the fleet has no types",
-                where=self.tables.places.of("types"),
-                expected="a table for each",
-                remedy="write [types.NAME], and below it robot = 'arms/arm.yaml', or a bundled robot",
-            )
-        for name in types:
-            at: tuple[Key, ...] = ("types", name)
-            with self._stated(*at):
-                check_name(name, "a type")
-            table = self.tables.table(*at)
-            self.tables.check_keys(at, OF_TYPE)
-            stated = (*at, "robot") if "robot" in table else at
-            spec = self.tables.description(stated, table.get("robot", name), self.folder)
-            map_path, columns = (
-                self.tables.text((*at, key), table[key]) if key in table else None
-                for key in ("map", "columns")
-            )
-            if map_path and columns:
-                raise InputError(
-                    f"the type {shown(name)} has both a map and columns",
-                    where=self.tables.places.of(*at, "columns"),
-                    remedy="delete one of them",
-                )
-            yield (
-                name,
-                arm_type(
-                    name,
-                    spec,
-                    None if map_path is None else self.folder / map_path,
-                    columns,
-                    self._numbers((*at, "parameters")),
-                    partial(self._place, at),
-                ),
-            )
+    def _type(self, name: str) -> ArmType:
+        at: tuple[Key, ...] = ("types", name)
+        self._name(at, name)
+        table = self.tables.table(*at)
+        self.tables.check_keys(at, OF_TYPE)
+        stated = {key: (*at, key) if key in table else at for key in OF_TYPE}
+        spec = self.tables.description(stated["robot"], table.get("robot", name), self.folder)
+        mapping = self._file((*at, "map"), table["map"]) if "map" in table else None
+        with self._stated(*stated["parameters"]):
+            arm = arm_type(name, spec, mapping, self._numbers((*at, "parameters")))
+        if "columns" not in table:
+            return arm
+        try:
+            if mapping is not None:
+                raise InputError(f"the type {shown(name)} has both a map and columns", remedy="delete one")
+            columns = self.tables.text((*at, "columns"), table["columns"])
+            return replace(arm, mapping=map_text(map_of_columns(columns), {}))
+        except InputError as error:
+            raise error.at(self.tables.places.of(*at, "columns")) from None
 
-    def _entry(
-        self, at: tuple[Key, ...], entry: Mapping[str, Any], above: tzinfo, gathering: Gathering
-    ) -> None:
+    def _entry(self, at: tuple[Key, ...], entry: Mapping[str, Any], above: tzinfo) -> None:
         """Add the logs that one ``[[logs]]`` names."""
+        self.tables.check_keys(at, OF_FILES | OF_MANIFEST)
         if ("files" in entry) == ("manifest" in entry):
             raise InputError(
-                "an entry of logs has both files and a manifest"
-                if "files" in entry
-                else "an entry of logs names none",
+                f"an entry of logs {'has both files and a manifest' if 'files' in entry else 'names none'}",
                 where=self.tables.places.of(*at),
                 expected='files = "logs/{type}/{unit}/{date}.csv", or manifest = "manifest.csv"',
             )
-        kind, unit = (self._name((*at, key), entry[key]) if key in entry else None for key in TEXTS)
-        fixed = Facts(self.file, kind, unit)
-        dates = self._dates(at, entry, self._zone((*at, "timezone"), entry, above), fixed)
-        exclude = tuple(self._exclude(at, entry))
+        self.tables.check_keys(at, OF_FILES if "files" in entry else OF_MANIFEST)
+        fixed = Facts(self.file, {key: self._name((*at, key), entry[key]) for key in TEXTS if key in entry})
+        dates = self._dates((*at, "date"), entry, self._zone((*at, "timezone"), entry, above), fixed)
+        excluded = entry.get("exclude", [])
+        with self._stated(*at, "exclude"):
+            exclude = tuple(
+                pattern_of(self.tables.text((*at, "exclude"), text, "a pattern of paths, or a list of them"))
+                for text in (excluded if isinstance(excluded, list) else [excluded])
+            )
         if "manifest" in entry:
-            self._manifest(at, entry, fixed, dates, exclude, gathering)
+            table = self._file((*at, "manifest"), entry["manifest"])
+            read_manifest(Manifest(table, *self._columns(at, entry), dates, exclude), fixed, self.gathering)
             return
-        if "columns" in entry:
-            raise InputError(
-                "columns are those of a manifest", where=self.tables.places.of(*at, "columns"),
-                remedy="the columns of logs stand at their type: [types.NAME], columns = 't=time[ms],...'",
-            )  # fmt: skip
-        fixed.conditions = self._numbers((*at, "conditions"))
+        fixed.conditions.update(self._numbers((*at, "conditions")))
         with self._stated(*at, "files"):
             text = self.tables.text((*at, "files"), entry["files"], "a pattern of paths")
             pattern = pattern_of(text, dates.format if dates else "")
-            if dates:
-                dates = DateFormat(pattern.format, dates.zone)
-            for match in matches(pattern, self.folder, exclude):
-                self._take(match, fixed, dates, gathering)
+            for path, fields in matches(pattern, self.folder, exclude):
+                where = Place(label(self.folder / path))
+                own = dates and replace(dates, format=pattern.format)
+                self.gathering.take(str(self.folder / path), where, fields, fixed, own)
 
-    def _take(self, match: Match, fixed: Facts, dates: DateFormat | None, gathering: Gathering) -> None:
-        """Add the log of one path."""
-        path = self.folder / match.path
-        where = Place(label(path))
-        fields = dict(match.fields)
-        written = fields.pop(DATE, None)
-        try:
-            moment = fixed.date if written is None or dates is None else dates.seconds(written)
-            kind, unit = (fields.pop(key, None) or getattr(fixed, key) for key in TEXTS)
-            conditions = {key: float(text) for key, text in fields.items()}
-            if not all(map(math.isfinite, conditions.values())):
-                raise ValueError(conditions)
-        except ValueError as error:
-            what, text = ("date", written) if isinstance(error, NotADate) else ("condition", fields)
-            gathering.fault(
-                InputError(
-                    f"the {what} of a log cannot be read from its path",
-                    where=where,
-                    found=shown(text),
-                    expected=str(error) if what == "date" else "numbers",
-                    remedy="rename it, leave it out with exclude, or say how it is written: date = '%Y%m%d'",
-                )
-            )
-            return
-        gathering.add(
-            str(path), Facts(where, kind, unit, moment, fixed.in_log, {**fixed.conditions, **conditions})
-        )
-
-    def _manifest(
-        self, at: tuple[Key, ...], entry: Mapping[str, Any], fixed: Facts, dates: DateFormat | None,
-        exclude: tuple[Pattern, ...], gathering: Gathering,
-    ) -> None:  # fmt: skip
-        path = self.folder / self.tables.text((*at, "manifest"), entry["manifest"])
-        if not path.is_file():
-            raise InputError(
-                "there is no such manifest", where=self.tables.places.of(*at, "manifest"), found=label(path),
-                expected="a path, as seen from this file's folder",
-            )  # fmt: skip
+    def _columns(
+        self, at: tuple[Key, ...], entry: Mapping[str, Any]
+    ) -> tuple[dict[str, str], dict[str, str] | None]:
+        """What columns of a manifest are called, and those of conditions; None: all others."""
         self.tables.check_keys((*at, "columns"), COLUMNS)
         stated = self.tables.table(*at, "columns")
         columns = {
             key: self.tables.text((*at, "columns", key), stated.get(key, key), "the name of a column")
             for key in COLUMNS
         }
+        at = (*at, "conditions")
         conditions = entry.get("conditions")
-        if isinstance(conditions, list) and all(isinstance(name, str) for name in conditions):
-            conditions = dict(zip(conditions, conditions, strict=True))
-        if conditions is not None and not (
-            isinstance(conditions, dict) and all(isinstance(each, str) for each in conditions.values())
-        ):
-            raise InputError(
-                "conditions of a manifest are columns", where=self.tables.places.of(*at, "conditions"),
-                found=shown(entry["conditions"]), expected="['temperature'], or {temperature = 'COLUMN'}",
-            )  # fmt: skip
-        read_manifest(Manifest(path, columns, conditions, dates, exclude), fixed, gathering)
+        if isinstance(conditions, list):
+            conditions = {str(name): name for name in conditions}
+        elif conditions is not None:
+            conditions = self.tables.table(*at)
+        for column in (conditions or {}).values():
+            self.tables.text(at, column, "a column of the manifest, a list or a table of them")
+        return columns, conditions
 
     def _dates(
         self, at: tuple[Key, ...], entry: Mapping[str, Any], zone: tzinfo, fixed: Facts
@@ -238,43 +181,38 @@ class _Reader:
         """How the dates of an entry are written, None if they stand in the logs; one that holds for all logs
         goes to ``fixed``."""
         value = entry.get("date", "")
-        if isinstance(value, date):
-            moment = value if isinstance(value, datetime) else datetime(value.year, value.month, value.day)
-            try:
-                fixed.date = DateFormat("", zone).seconds(moment.isoformat())
-            except NotADate as error:
-                raise InputError(
-                    "no log has this date",
-                    where=self.tables.places.of(*at, "date"),
-                    found=shown(str(value)),
-                    expected=str(error),
-                ) from None
-            return DateFormat("", zone)
         if value == IN_LOG_WORD:
-            fixed.in_log = True
+            fixed.stated[IN_LOG_WORD] = True
             return None
-        if not isinstance(value, str):
-            raise InputError(
-                "this is no format of dates", where=self.tables.places.of(*at, "date"), found=shown(value),
-                expected="a text such as '%Y-%m-%dT%H%M', 'unix' or 'log', or a date for all of the logs",
-            )  # fmt: skip
-        with self._stated(*at, "date"):
+        with self._stated(*at):
+            if isinstance(value, date):
+                fixed.stated[DATE] = DateFormat("", zone).seconds(value.isoformat())
+                value = ""
+            if not isinstance(value, str):
+                raise InputError(
+                    "this is no format of dates",
+                    found=shown(value),
+                    expected="a text such as '%Y-%m-%dT%H%M', 'unix' or 'log', or a date for all of the logs",
+                )
             return DateFormat(check_format(value), zone)
-
-    def _exclude(self, at: tuple[Key, ...], entry: Mapping[str, Any]) -> Iterator[Pattern]:
-        patterns = entry.get("exclude", [])
-        for text in patterns if isinstance(patterns, list) else [patterns]:
-            stated = (*at, "exclude")
-            checked = self.tables.text(stated, text, "a pattern of paths, or a list of them")
-            with self._stated(*stated):
-                pattern = pattern_of(checked, "")
-            yield pattern
 
     def _zone(self, at: tuple[Key, ...], table: Mapping[str, Any], default: tzinfo) -> tzinfo:
         if at[-1] not in table:
             return default
         with self._stated(*at):
-            return checked_zone(self.tables.text(at, table["timezone"], "a time zone"))
+            return zone_of(self.tables.text(at, table["timezone"], "a time zone"))
+
+    def _file(self, at: tuple[Key, ...], value: Any) -> Path:
+        """The file that the key ``at`` names."""
+        path = self.folder / self.tables.text(at, value)
+        if not path.is_file():
+            raise InputError(
+                f"there is no such {at[-1]}",
+                where=self.tables.places.of(*at),
+                found=label(path),
+                expected="a path, as seen from this file's folder",
+            )
+        return path
 
     @contextmanager
     def _stated(self, *at: Key) -> Iterator[None]:
@@ -284,30 +222,19 @@ class _Reader:
         except InputError as error:
             raise (error if error.where is not None else error.at(self.tables.places.of(*at))) from None
 
-    def _place(self, at: tuple[Key, ...], key: str) -> Place:
-        """Where the table ``at`` states ``key``, or begins."""
-        return self.tables.places.of(*at, *([key] if key in self.tables.table(*at) else []))
-
     def _name(self, at: tuple[Key, ...], value: Any) -> str:
         text = self.tables.text(at, value, "a name")
         with self._stated(*at):
-            check_name(text, f"the {at[-1]}")
+            check_name(text, "a type" if at[0] == "types" else f"the {at[-1]}")
         return text
 
     def _numbers(self, at: tuple[Key, ...]) -> dict[str, float]:
         """Numbers by name."""
         table = self.tables.table(*at)
         for name, value in table.items():
-            if isinstance(value, bool) or not isinstance(value, int | float) or not _is_finite(value):
+            # A whole number may have any size.
+            if type(value) not in (int, float) or not abs(value) < sys.float_info.max:
                 raise InputError(
                     f"{name} is not a number", where=self.tables.places.of(*at, name), found=shown(value)
                 )
         return {name: float(value) for name, value in table.items()}
-
-
-def _is_finite(value: float) -> bool:
-    """Whether ``value``, which may be a whole number of any size, is a double."""
-    try:
-        return math.isfinite(float(value))
-    except OverflowError:
-        return False
