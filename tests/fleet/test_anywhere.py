@@ -30,9 +30,9 @@ pytestmark = pytest.mark.thorough
 
 @pytest.fixture(scope="module")
 def fleet(tmp_path_factory: pytest.TempPathFactory) -> Fleet:
-    """Forty logs, one of which is corrupt."""
-    fleet = small_fleet(tmp_path_factory.mktemp("fleet") / "logs", units=8, logs=5)
-    bad = Path(fleet.logs[17].source)
+    """Sixteen logs, one of which is corrupt."""
+    fleet = small_fleet(tmp_path_factory.mktemp("fleet") / "logs", units=4, logs=4, seconds=3.0)
+    bad = Path(fleet.logs[7].source)
     bad.write_bytes(bad.read_bytes()[:2000] + b"\0")
     return fleet
 
@@ -43,23 +43,19 @@ def text(result: FleetResult) -> str:
 
 @pytest.fixture(scope="module")
 def expected(fleet: Fleet, tmp_path_factory: pytest.TempPathFactory) -> str:
-    """What a process of its own says of them, with one thread of linear algebra."""
-    result = text(run_fleet(fleet, tmp_path_factory.mktemp("expected"), "local:1"))
+    """What this process says of them, one after the other."""
+    result = text(run_fleet(fleet, tmp_path_factory.mktemp("expected"), "here"))
     unused = json.loads(result)["unused"]
-    assert [log["source"] for log in unused] == [fleet.logs[17].source]
+    assert [log["source"] for log in unused] == [fleet.logs[7].source]
     return result
 
 
-@pytest.mark.parametrize("on", ["here", "local:2", pytest.param("local:4", marks=pytest.mark.slow)])
-def test_any_number_of_processes(on: str, fleet: Fleet, expected: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("on", ["local:2", pytest.param("local:4", marks=pytest.mark.slow)])
+def test_any_number_of_processes_in_any_order(on: str, fleet: Fleet, expected: str, tmp_path: Path) -> None:
+    """A quarter of the logs was worked out before, and came in another order."""
+    shuffled = random.Random(1).sample(fleet.logs, len(fleet.logs) // 4)
+    run_fleet(replace(fleet, logs=tuple(sorted(shuffled, key=lambda log: log.order))), tmp_path, "here")
     assert text(run_fleet(fleet, tmp_path, on)) == expected
-
-
-def test_any_order(fleet: Fleet, expected: str, tmp_path: Path) -> None:
-    """Half of the logs were worked out before, and came in another order."""
-    shuffled = random.Random(1).sample(fleet.logs, len(fleet.logs) // 2)
-    run_fleet(replace(fleet, logs=tuple(sorted(shuffled, key=lambda log: log.order))), tmp_path, "local:2")
-    assert text(run_fleet(fleet, tmp_path, "local:2")) == expected
 
 
 @pytest.fixture
@@ -78,7 +74,7 @@ def test_what_dies_in_the_middle(
     reported = threading.Event()
 
     def progress(stage: str, done: int, _: int) -> None:
-        if stage == DIGESTING and done >= 10 and not reported.is_set():
+        if stage == DIGESTING and done >= 4 and not reported.is_set():
             reported.set()
             if lost == "worker":
                 kill(workers[0])
@@ -98,7 +94,7 @@ from pathlib import Path
 from robodyn.fleet.run import run_fleet
 if __name__ == "__main__":
     fleet = pickle.loads(Path(sys.argv[1]).read_bytes())
-    run_fleet(fleet, Path(sys.argv[2]), "local:2", progress=lambda *stage: print(*stage, flush=True))
+    run_fleet(fleet, Path(sys.argv[2]), "local:1", progress=lambda *stage: print(*stage, flush=True))
 """
 
 
@@ -113,16 +109,16 @@ def test_a_run_that_is_killed_goes_on(fleet: Fleet, expected: str, tmp_path: Pat
     ) as process:  # fmt: skip
         assert process.stdout is not None
         for line in process.stdout:
-            if line.startswith(f"{DIGESTING} 12 "):
+            if line.startswith(f"{DIGESTING} 5 "):
                 process.send_signal(signal.SIGKILL)
                 break
     assert process.returncode == -signal.SIGKILL
     counts: list[int] = []
     result = run_fleet(
-        fleet, tmp_path / "out", "local:2",
+        fleet, tmp_path / "out", "here",
         progress=lambda stage, _, of: counts.append(of) if stage == DIGESTING else None,
     )  # fmt: skip
-    assert max(counts) <= len(fleet.logs) - 12  # what was done then was not done again
+    assert max(counts) <= len(fleet.logs) - 5  # what was done then was not done again
     assert text(result) == expected
     with open_store(tmp_path / "out" / STORE) as store:
         rows = store._connection.execute("select count(*), count(distinct key) from results").fetchone()

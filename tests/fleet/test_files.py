@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import json
-from dataclasses import fields, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ import pytest
 
 from report.made_up import fleet, of_one
 from robodyn.errors import ToolError
-from robodyn.fleet.as_json import DESCRIPTIONS, document, fleet_schema, text
+from robodyn.fleet.as_json import document, fleet_schema, text
 from robodyn.fleet.result import FleetResult, address, unit_folder
 from robodyn.fleet.table import COLUMNS, parquet, rows_of
 from robodyn.tools.libraries import PYARROW
@@ -53,11 +53,6 @@ def test_the_schema_refuses_what_is_not_there(small: FleetResult) -> None:
             at = at[key]
         at[path[-1]] = value
         assert not validator.is_valid(wrong), path
-
-
-def test_every_field_is_described() -> None:
-    for kind, texts in DESCRIPTIONS.items():
-        assert [each.name for each in fields(kind)] == list(texts)
 
 
 def test_the_text_has_a_line_for_each_unit(small: FleetResult) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from fleet.small_fleet import files_of, small_fleet, write_log
+from fleet.small_fleet import files_of, quick_diagnosis, small_fleet, write_log
 from robodyn.cluster import Cluster, Failed
 from robodyn.cluster.cluster import ThisProcess
 from robodyn.errors import InputError, OutputError, ToolError
@@ -86,16 +86,15 @@ def test_a_second_run_does_what_is_new(fleet: Fleet, tmp_path: Path, cluster: Co
     assert again.get("digest_log") == 1
 
 
-def test_a_date_that_only_the_log_says(
-    fleet: Fleet, tmp_path: Path, cluster: Counting, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_date_that_only_the_log_says(fleet: Fleet, tmp_path: Path, cluster: Counting) -> None:
     undated = replace(fleet, logs=tuple(replace(log, date=IN_LOG) for log in fleet.logs))
     with pytest.raises(InputError, match=r"found 6 that cannot.*nothing says when it was recorded"):
         run_fleet(undated, tmp_path / "out", "here")
-    dates = {log.source: log.date for log in fleet.logs}
-    monkeypatch.setattr(run_module.Digests, "began", lambda _, source: dates[source])
-    of_log, stated = (run_fleet(each, tmp_path / "out", "here") for each in (undated, fleet))
-    assert said(of_log) == said(stated)
+    for k, log in enumerate(fleet.logs[:4]):
+        write_log(Path(log.source), k, began=1.7e9 - k)
+    result = run_fleet(undated, tmp_path / "out", "here")
+    assert [(unit.first, unit.last) for unit in result.units] == [(1.7e9 - 1, 1.7e9), (1.7e9 - 3, 1.7e9 - 2)]
+    assert [log.source for log in result.unused] == [log.source for log in fleet.logs[4:]]
 
 
 def test_logs_that_cannot_be_used_are_named_and_remembered(
@@ -184,8 +183,10 @@ def test_a_fleet_of_which_nothing_can_be_used(tmp_path: Path, cluster: Counting,
         run_fleet(replace(written, logs=()), tmp_path / "out", "here")
 
 
-@pytest.mark.thorough
-def test_units_are_diagnosed_once(fleet: Fleet, tmp_path: Path, cluster: Counting) -> None:
+def test_units_are_diagnosed_once(
+    fleet: Fleet, tmp_path: Path, cluster: Counting, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("robodyn.diagnose.run.diagnose", quick_diagnosis)
     out = tmp_path / "out"
     stages = list[str]()
     told = lambda stage, done, of: stages.append(stage)  # noqa: E731
@@ -198,7 +199,7 @@ def test_units_are_diagnosed_once(fleet: Fleet, tmp_path: Path, cluster: Countin
         ]
         for unit in result.units:
             page = out / str(unit.diagnosis)
-            assert page.read_text() == "<p>missing_effect</p>"
+            assert page.read_text().startswith("<p>torques of ")
             assert (page.parent / "diagnosis.json").read_text() == "2"
             page.unlink()
     assert list(dict.fromkeys(stages))[:2] == ["looking for new logs", "digesting logs"]

@@ -8,12 +8,11 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from fleet.small_fleet import files_of, small_fleet, write_log
+from fleet.small_fleet import files_of, quick_diagnosis, small_fleet, write_log
 from robodyn.cluster.cluster import Done, Failed, ThisProcess
 from robodyn.errors import ToolError
 from robodyn.fleet import run as run_module
@@ -73,10 +72,7 @@ def run(fleet: Fleet, worker: Any, monkeypatch: pytest.MonkeyPatch, out: str = "
     def opened(on: str, **_: Any) -> Iterator[Any]:
         yield worker
 
-    def diagnose(robot: Any, logs: Any, **_: Any) -> Any:
-        return SimpleNamespace(findings=[], verdict=f"{sum(log.tau.sum() for log in logs)}", logs=logs)
-
-    monkeypatch.setattr("robodyn.diagnose.run.diagnose", diagnose)  # which takes seconds
+    monkeypatch.setattr("robodyn.diagnose.run.diagnose", quick_diagnosis)
     monkeypatch.setattr(run_module, "open_cluster", opened)
     return run_fleet(fleet, Path(out), "here", diagnose="all", files_of=files_of)
 

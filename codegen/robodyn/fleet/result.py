@@ -6,7 +6,7 @@ import hashlib
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Annotated, Final, Literal
 from urllib.parse import quote
 
 #: What a claim may say beside effects of the catalogue: the unit runs another program; its clock is wrong.
@@ -20,157 +20,159 @@ Shape = Literal["drift", "step", "always"]
 
 @dataclass(frozen=True, slots=True)
 class Feature:
-    """A number that every log of a type shows: what ``effects`` (ids of the catalogue) do at a ``joint``
-    (from 1; None: of the whole arm). ``name`` is its own among the type's; ``unit``: its unit.
+    """A number that every log of a type shows."""
 
-    Of the type: its ``mean``, the standard deviation from unit to unit (``between_units``) and from log to
-    log of one unit (``between_logs``), and what it changes by with conditions that were logged (``slopes``,
-    by the condition's name, in its unit a unit of the condition); ``logs`` that show it."""
-
-    name: str
-    effects: tuple[str, ...]
-    joint: int | None
-    unit: str
-    mean: float
-    between_units: float
-    between_logs: float
-    slopes: Mapping[str, float]
-    logs: int
+    name: Annotated[str, "Its name, unique within the type."]
+    effects: Annotated[
+        tuple[str, ...], "Ids of the catalogue: what they do together. None: what no effect explains."
+    ]
+    joint: Annotated[int | None, "The joint, from 1; null: the whole arm."]
+    unit: Annotated[str, "The unit of measurement."]
+    mean: Annotated[float, "The mean of the type."]
+    between_units: Annotated[float, "Standard deviation from unit to unit."]
+    between_logs: Annotated[float, "Standard deviation from log to log of one unit."]
+    slopes: Annotated[Mapping[str, float], "Change with a condition, by its name, a unit of the condition."]
+    logs: Annotated[int, "How many logs show it."]
 
 
 @dataclass(frozen=True, slots=True)
 class TypeResult:
-    """What units of a type have in common: their number, their logs, the programs that these are of, the
-    features; ``joints``: how many;
-    ``account``: lines on where the numbers of its description come from and what of its file is not in it."""
+    """What units of a type have in common."""
 
-    name: str
-    joints: int
-    units: int
-    logs: int
-    programs: int
-    features: tuple[Feature, ...]
-    account: tuple[str, ...]
+    name: Annotated[str, "The type's name."]
+    joints: Annotated[int, "Joints of its arms."]
+    units: Annotated[int, "How many units there are."]
+    logs: Annotated[int, "How many of their logs were used."]
+    programs: Annotated[int, "How many programs of motion these are of."]
+    features: Annotated[tuple[Feature, ...], "The numbers that each log of the type shows."]
+    account: Annotated[
+        tuple[str, ...], "Where the numbers of its description come from, and what of its file is not in it."
+    ]
 
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """What is peculiar to a unit: ``effects`` at a ``joint``, by the type's ``feature``; ``since`` [s since
-    1970, UTC] with the interval that holds the day in 95 of 100 cases (None where it has always been so).
-    That it runs another program (:data:`PROGRAM_CHANGE`) or its clock is wrong (:data:`CLOCK`) is none of the
-    arm: effect and feature have that name, ``p`` and ``q`` are 0.
+    """What is peculiar to a unit. Points in time are seconds since 1970, UTC.
 
-    ``until``: the day from which on it has not grown (a drift that ended; None: it still grows, or is none).
-    ``size``: how much more of the feature there is now than there was (``always``: than its siblings have),
-    with its standard error, and as a share of what it was (None where that was nothing); ``p``: how often
-    chance alone makes a unit look as odd, over all features and days that were looked at; ``q``: the share of
-    healthy units among all that are named and no less sure than this one (Benjamini and Hochberg)."""
+    That a unit runs another program (:data:`PROGRAM_CHANGE`) or its clock is wrong (:data:`CLOCK`) is none of
+    the arm: effect and feature have that name, ``p`` and ``q`` are 0."""
 
-    effects: tuple[str, ...]
-    joint: int | None
-    feature: str
-    shape: Shape
-    since: float | None
-    since_interval: tuple[float, float] | None
-    until: float | None
-    size: float
-    stderr: float
-    unit: str
-    share: float | None
-    p: float
-    q: float
+    effects: Annotated[
+        tuple[str, ...],
+        "Ids of the catalogue, or program_change, clock; of several, what they do together. "
+        "None: no effect explains it.",
+    ]
+    joint: Annotated[int | None, "The joint, from 1; null: the whole arm."]
+    feature: Annotated[str, "The type's feature that shows it."]
+    shape: Annotated[Shape, "How it came: gradually, at once, or so in all logs."]
+    since: Annotated[float | None, "The day from which on it is so; null: in all logs."]
+    since_interval: Annotated[
+        tuple[float, float] | None, "Days between which the change was, in 95 of 100 cases."
+    ]
+    until: Annotated[
+        float | None, "The day from which on a drift has not grown; null: it still does, or it was none."
+    ]
+    size: Annotated[float, "How much more there is than there was, or than its siblings have."]
+    stderr: Annotated[float, "The standard error of the size."]
+    unit: Annotated[str, "The unit of measurement of both."]
+    share: Annotated[float | None, "The size as a share of what there was; null where that was nothing."]
+    p: Annotated[float, "How often chance alone makes a unit look as odd, over all features and days."]
+    q: Annotated[float, "The share of healthy units among all that are named and no less sure."]
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What a log shows of a feature: ``value`` without what conditions do, and its standard error; when, and
-    which ``program`` (from 1) of its type it is of."""
+    """What a log shows of a feature."""
 
-    date: float
-    value: float
-    stderr: float
-    program: int
+    date: Annotated[float, "Days of the logs."]
+    value: Annotated[float, "What each shows, without what conditions do."]
+    stderr: Annotated[float, "Standard errors."]
+    program: Annotated[int, "The program of motion of each log, from 1 within the type."]
 
 
 @dataclass(frozen=True, slots=True)
 class UnitResult:
-    """A unit: its ``logs`` that were used, the first and the last day of them; what is peculiar to it (the
-    surest first); by name of a feature its ``readings``, what it comes to ``now`` after pooling (value,
-    standard error), and how far it is from its siblings or from what it was, in standard deviations of what
-    is usual (``unusual``, the larger of both, with the sign of the difference); ``diagnosis``: the page of
-    its diagnosis, relative to the fleet's."""
+    """A unit. ``unusual`` is the larger of how far it is from its siblings and from what it was."""
 
-    type: str
-    unit: str
-    logs: int
-    first: float
-    last: float
-    claims: tuple[Claim, ...]
-    readings: Mapping[str, tuple[Reading, ...]]
-    now: Mapping[str, tuple[float, float]]
-    unusual: Mapping[str, float]
-    diagnosis: str | None = None
+    type: Annotated[str, "The type's name."]
+    unit: Annotated[str, "The unit's name."]
+    logs: Annotated[int, "How many of its logs were used."]
+    first: Annotated[float, "The first of them."]
+    last: Annotated[float, "The last of them."]
+    claims: Annotated[tuple[Claim, ...], "What is peculiar to it, the surest first."]
+    readings: Annotated[Mapping[str, tuple[Reading, ...]], "By feature: what each log shows."]
+    now: Annotated[
+        Mapping[str, tuple[float, float]], "By feature: value after pooling, and its standard error."
+    ]
+    unusual: Annotated[
+        Mapping[str, float],
+        "By feature: standard deviations that are as rare by chance; negative: less than usual.",
+    ]
+    diagnosis: Annotated[
+        str | None, "The page of its diagnosis, relative to this file; null: there is none."
+    ] = None
 
 
 @dataclass(frozen=True, slots=True)
 class Unused:
-    """A log that was not used, and ``why``: it cannot be read, is not of its type, or is another's copy."""
+    """A log that was not used: it cannot be read, is not of its type, or is the copy of another."""
 
-    source: str
-    type: str
-    unit: str
-    why: str
+    source: Annotated[str, "The log, as the fleet names it."]
+    type: Annotated[str, "The type's name."]
+    unit: Annotated[str, "The unit's name."]
+    why: Annotated[str, "Why it was not used."]
 
 
 @dataclass(frozen=True, slots=True)
 class NotObserved:
-    """A ``joint`` (from 1; None: all of the arm) of a unit of which the logs say too little for a change to
-    be told: the ``reason``, and what to ``record``."""
+    """A joint of a unit of which the logs say too little for a change to be told."""
 
-    type: str
-    unit: str
-    joint: int | None
-    reason: str
-    record: str
+    type: Annotated[str, "The type's name."]
+    unit: Annotated[str, "The unit's name."]
+    joint: Annotated[int | None, "The joint, from 1; null: all of the arm."]
+    reason: Annotated[str, "Why no change can be told."]
+    record: Annotated[str, "What to record."]
 
 
 @dataclass(frozen=True, slots=True)
 class OddLog:
-    """A log that is off from all others of its unit and program, most of all in a ``feature``: a single one
-    is no change."""
+    """A log that is off from all others of its unit and program: a single one is no change."""
 
-    type: str
-    unit: str
-    source: str
-    date: float
-    feature: str
+    type: Annotated[str, "The type's name."]
+    unit: Annotated[str, "The unit's name."]
+    source: Annotated[str, "The log, as the fleet names it."]
+    date: Annotated[float, "When it was recorded."]
+    feature: Annotated[str, "The type's feature in which it is off most."]
 
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """A unit to look at, in the order of their worth: ``why``, the ``action`` to take, and what to record
-    next of it, in words."""
+    """A unit to look at, in words."""
 
-    type: str
-    unit: str
-    why: str
-    action: str
-    record: str
+    type: Annotated[str, "The type's name."]
+    unit: Annotated[str, "The unit's name."]
+    why: Annotated[str, "Why to look at it."]
+    action: Annotated[str, "What to do."]
+    record: Annotated[str, "What to record next."]
 
 
 @dataclass(frozen=True, slots=True)
 class FleetResult:
-    """All that is said of a fleet. Names are so sure that at most the share ``false_names`` of the units that
-    have one is healthy, in the mean."""
+    """All that is said of a fleet. The description of each field is that of ``fleet.json``."""
 
-    name: str
-    types: tuple[TypeResult, ...]
-    units: tuple[UnitResult, ...]
-    unused: tuple[Unused, ...]
-    not_observed: tuple[NotObserved, ...]
-    odd_logs: tuple[OddLog, ...]
-    first_to_look_at: tuple[Look, ...]
-    false_names: float
+    name: Annotated[str, "The fleet's name."]
+    types: Annotated[tuple[TypeResult, ...], "What units of a type have in common."]
+    units: Annotated[tuple[UnitResult, ...], "Units, by type and name."]
+    unused: Annotated[tuple[Unused, ...], "Logs that were not used."]
+    not_observed: Annotated[
+        tuple[NotObserved, ...], "Joints of which the logs say too little for a change to be told."
+    ]
+    odd_logs: Annotated[
+        tuple[OddLog, ...],
+        "Logs that are off from all others of their unit and program: single ones, no changes.",
+    ]
+    first_to_look_at: Annotated[tuple[Look, ...], "Units to look at, the most urgent first."]
+    false_names: Annotated[float, "The share of all named units that are healthy, on average, at most."]
 
 
 #: What stands in a folder's name as it is; all else by its bytes, as in addresses.

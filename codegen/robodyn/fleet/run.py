@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Final, Literal
 
@@ -49,21 +49,7 @@ class Digests(Mapping[str, Digest]):
         self._store, self._keys = store, keys_of
 
     def __getitem__(self, source: str) -> Digest:
-        return self._of(source)[1]
-
-    def began(self, source: str) -> float:
-        """When a log began [s since 1970, UTC; nan: it does not say]."""
-        return self._of(source)[0]
-
-    def _of(self, source: str) -> tuple[float, Digest]:
-        data = self._store.result(self._keys[source])
-        if not isinstance(data, bytes):
-            raise KeyError(source)
-        return digested(data)
-
-    def without(self, sources: Container[str]) -> Digests:
-        """These but those of ``sources``."""
-        return Digests(self._store, {source: k for source, k in self._keys.items() if source not in sources})
+        return digested(self._store.value(self._keys[source]))[1]
 
     def __contains__(self, source: object) -> bool:
         return source in self._keys
@@ -73,14 +59,6 @@ class Digests(Mapping[str, Digest]):
 
     def __len__(self) -> int:
         return len(self._keys)
-
-
-@dataclass(frozen=True, slots=True)
-class _Logs:
-    """Of logs, by their source, the hash of the content; why others cannot be used."""
-
-    hashes: Mapping[str, str]
-    unused: Mapping[str, str]
 
 
 def run_fleet(
@@ -120,21 +98,18 @@ def run_fleet(
                 opened.append(stack.enter_context(open_cluster(on, security=security)))
             return opened[0]
 
-        logs = _distinct(fleet, _read(fleet, store, cluster, tell))
-        digests, refused = _digested(fleet, logs, store, cluster, tell)
-        undated = [log.source for log in fleet.logs if math.isnan(log.date) and log.source in digests]
-        fleet = fleet.completed({source: digests.began(source) for source in undated}, {})
-        dateless = {log.source: _DATELESS for log in fleet.logs if math.isnan(log.date)}
-        digests = digests.without(dateless)
-        reasons = {**dateless, **logs.unused, **refused}
-        unused = [
-            *fleet.missing,
-            *(
-                Unused(log.source, log.type, log.unit, reasons[log.source])
-                for log in fleet.logs
-                if log.source in reasons
-            ),
-        ]
+        hashes, reasons = _contents(fleet, store, cluster, tell)
+        reasons |= _copies(fleet, hashes)
+        new = {source: content for source, content in hashes.items() if source not in reasons}
+        keys, refused = _digested(fleet, new, store, cluster, tell)
+        undated = [log.source for log in fleet.logs if math.isnan(log.date) and log.source in keys]
+        fleet = fleet.completed({source: digested(store.value(keys[source]))[0] for source in undated}, {})
+        reasons = {log.source: _DATELESS for log in fleet.logs if math.isnan(log.date)} | reasons | refused
+        unused = [*fleet.missing]
+        for log in fleet.logs:
+            if log.source in reasons:
+                unused.append(Unused(log.source, log.type, log.unit, reasons[log.source]))
+        digests = Digests(store, {source: key for source, key in keys.items() if source not in reasons})
         if not digests:
             raise _nothing(fleet, unused)
         result = judge(
@@ -144,46 +119,49 @@ def run_fleet(
             return result
         named = [unit for unit in result.units if unit.claims or diagnose == "all"]
         pages = diagnosed(
-            fleet, named, {source: logs.hashes[source] for source in digests}, store, cluster, folder,
+            fleet, named, {source: hashes[source] for source in digests}, store, cluster, folder,
             files_of, lambda done, of: tell(DIAGNOSING, done, of),
         )  # fmt: skip
         units = tuple(completed(unit, pages.get((unit.type, unit.unit))) for unit in result.units)
         return replace(result, units=units)
 
 
-def _read(fleet: Fleet, store: Store, cluster: Callable[[], Cluster], tell: Progress) -> _Logs:
-    """The content of all logs; what was read before and is unchanged is not read again."""
-    hashes, unused, new = dict[str, str](), dict[str, str](), list[str]()
+def _contents(
+    fleet: Fleet, store: Store, cluster: Callable[[], Cluster], tell: Progress
+) -> tuple[dict[str, str], dict[str, str]]:
+    """The hashes of the content of logs, and why others have none, by their sources; what was read before and
+    is unchanged is not read again."""
+    hashes, unread, new = dict[str, str](), dict[str, str](), list[str]()
     paths = {log.source: absolute_source(log.source) for log in fleet.logs}
     signatures = {source: _signature(path) for source, path in paths.items()}
-    for source, path in paths.items():
-        here = signatures[source]
-        content = None if here is None else store.content(path, here)
-        if content is None:
-            new.append(source)
-        else:
+    for source, here in signatures.items():
+        content = here and store.content(paths[source], here)
+        if content:
             hashes[source] = content
-    if new:
-        tell(READING, len(hashes), len(fleet.logs))
-        parts = [new[k : k + HASHED] for k in range(0, len(new), HASHED)]
-        tasks = ((k, ([paths[source] for source in part],)) for k, part in enumerate(parts))
-        for k, outcome in cluster().each(contents, tasks):
-            if isinstance(outcome, Failed):
-                raise outcome.error
-            for source, read in zip(parts[k], outcome.value, strict=True):
-                path, here = paths[source], signatures[source]
-                if isinstance(read, str):
-                    check_same_file(path, None, read)
-                    unused[source] = read
-                    continue
-                content, worker_signature, youngest = read
-                # Where it is being written here, too, the digest of the log finds out.
-                if here is not None and here != worker_signature and here == _signature(path):
-                    check_same_file(path, content, f"one with the SHA-256 {content[:16]}...")
-                hashes[source] = content
-                store.saw(path, worker_signature, youngest, content)
-            tell(READING, len(hashes) + len(unused), len(fleet.logs))
-    return _Logs(hashes, unused)
+        else:
+            new.append(source)
+    if not new:
+        return hashes, unread
+    tell(READING, len(hashes), len(fleet.logs))
+    parts = [new[k : k + HASHED] for k in range(0, len(new), HASHED)]
+    tasks = ((k, ([paths[source] for source in part],)) for k, part in enumerate(parts))
+    for k, outcome in cluster().each(contents, tasks):
+        if isinstance(outcome, Failed):
+            raise outcome.error
+        for source, read in zip(parts[k], outcome.value, strict=True):
+            path, here = paths[source], signatures[source]
+            if isinstance(read, str):
+                check_same_file(path, None, read)
+                unread[source] = read
+                continue
+            content, worker_signature, youngest = read
+            # Where it is being written here, too, the digest of the log finds out.
+            if here is not None and here != worker_signature and here == _signature(path):
+                check_same_file(path, content, f"one with the SHA-256 {content[:16]}...")
+            hashes[source] = content
+            store.saw(path, worker_signature, youngest, content)
+        tell(READING, len(hashes) + len(unread), len(fleet.logs))
+    return hashes, unread
 
 
 def _signature(path: str) -> str | None:
@@ -194,53 +172,47 @@ def _signature(path: str) -> str | None:
         return None
 
 
-def _distinct(fleet: Fleet, logs: _Logs) -> _Logs:
-    """``logs`` without those of a type that are copies of others: they would count twice."""
+def _copies(fleet: Fleet, hashes: Mapping[str, str]) -> dict[str, str]:
+    """Why logs of a type that are copies of others do not count: they would twice."""
     first, copies = dict[tuple[str, str], str](), dict[str, str]()
     for log in fleet.logs:
-        if log.source in logs.hashes:
-            original = first.setdefault((log.type, logs.hashes[log.source]), log.source)
+        if log.source in hashes:
+            original = first.setdefault((log.type, hashes[log.source]), log.source)
             if original != log.source:
                 copies[log.source] = f"it is a copy of {original}"
-    hashes = {source: content for source, content in logs.hashes.items() if source not in copies}
-    return _Logs(hashes, {**logs.unused, **copies})
+    return copies
 
 
 def _digested(
-    fleet: Fleet, logs: _Logs, store: Store, cluster: Callable[[], Cluster], tell: Progress
-) -> tuple[Digests, dict[str, str]]:
-    """The digests of ``logs``, and why others have none."""
-    own = [log for log in fleet.logs if log.source in logs.hashes]
-    keys = dict[str, str]()
-    for log in own:
-        arm = fleet.types[log.type]
-        content = logs.hashes[log.source]
-        keys[log.source] = key_of("digest", DIGEST_VERSION, content, arm.text, arm.mapping or "")
-    new = [log for log in own if not store.has(keys[log.source])]
+    fleet: Fleet, hashes: Mapping[str, str], store: Store, cluster: Callable[[], Cluster], tell: Progress
+) -> tuple[dict[str, str], dict[str, str]]:
+    """The keys of the digests of logs with these ``hashes``, and why others have none."""
+    arms = {log.source: fleet.types[log.type] for log in fleet.logs if log.source in hashes}
+    keys = {
+        source: key_of("digest", DIGEST_VERSION, hashes[source], arm.text, arm.mapping or "")
+        for source, arm in arms.items()
+    }
+    new = [source for source in arms if not store.has(keys[source])]
     refused = dict[str, str]()
     if new:
         tell(DIGESTING, 0, len(new))
-        tasks = (
-            (log.source, (fleet.types[log.type], absolute_source(log.source), logs.hashes[log.source]))
-            for log in new
-        )
+        tasks = ((one, (arms[one], absolute_source(one), hashes[one])) for one in new)
         for k, (source, outcome) in enumerate(cluster().each(digest_log, tasks)):
+            path = absolute_source(source)
             if isinstance(outcome, Done):
                 store.keep(keys[source], outcome.value)
             elif isinstance(outcome.error, InputError):
-                store.keep(keys[source], Refused(why(outcome.error, absolute_source(source))))
+                store.keep(keys[source], Refused(why(outcome.error, path)))
             else:  # not of the log's making: tried again in the next run
-                reason = why(outcome.error, absolute_source(source))
+                refused[source] = why(outcome.error, path)
                 if isinstance(outcome.error, Changed):
-                    check_changed([absolute_source(source)], [logs.hashes[source]], reason)
-                refused[source] = reason
+                    check_changed([path], [hashes[source]], refused[source])
             tell(DIGESTING, k + 1, len(new))
     for source, key in keys.items():
-        value = store.refusal(key)
-        if value is not None:
-            refused[source] = value
-    used = {source: key for source, key in keys.items() if source not in refused}
-    return Digests(store, used), refused
+        reason = store.refusal(key)
+        if reason is not None:
+            refused[source] = reason
+    return {source: key for source, key in keys.items() if source not in refused}, refused
 
 
 def _nothing(fleet: Fleet, unused: Sequence[Unused]) -> InputError:

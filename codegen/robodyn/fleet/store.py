@@ -7,12 +7,11 @@ holds it, no shared memory is needed, which network file systems do not have.
 
 from __future__ import annotations
 
-import contextlib
 import os
 import sqlite3
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
@@ -60,15 +59,26 @@ class Store:
         ------
         InputError: it is not what was kept under this key.
         """
-        with self._guarded():
-            row = self._connection.execute(
-                "select robodyn, refused, value, seal from results where key = ?", [key]
-            ).fetchone()
+        row = self._row("select robodyn, refused, value, seal from results where key = ?", key)
         if row is None:
             return None
-        robodyn, refused, value, seal = row
-        self._check(seal, key, robodyn, refused, value)
+        *stated, seal = row
+        self._check(seal, key, *stated)
+        _, refused, value = stated
         return Refused(value.decode()) if refused else bytes(value)
+
+    def value(self, key: str) -> bytes:
+        """What was worked out of a log that can be used.
+
+        Raises
+        ------
+        InputError: as of :meth:`result`.
+        KeyError: there is no such result.
+        """
+        data = self.result(key)
+        if not isinstance(data, bytes):
+            raise KeyError(key)
+        return data
 
     def refusal(self, key: str) -> str | None:
         """Why a log cannot be used; None: it can, or it is not known.
@@ -77,11 +87,9 @@ class Store:
         ------
         InputError: as of :meth:`result`.
         """
-        with self._guarded():
-            refused = self._connection.execute(
-                "select 1 from results where key = ? and refused", [key]
-            ).fetchone()
-        value = self.result(key) if refused else None
+        if self._row("select 1 from results where key = ? and refused", key) is None:
+            return None
+        value = self.result(key)
         return value.why if isinstance(value, Refused) else None
 
     def _check(self, seal: Any, *row: Any) -> None:
@@ -93,12 +101,13 @@ class Store:
         InputError: it is another row.
         """
         if seal != _seal(*row):
-            raise _damaged(self._name, "a row that differs from its checksum")
+            what, remedy = _DAMAGED
+            found = "a row that differs from its checksum"
+            raise InputError(what, where=Place(self._name), found=found, remedy=remedy)
 
     def has(self, key: str) -> bool:
         """Whether there is a result, of whichever kind."""
-        with self._guarded():
-            return bool(self._connection.execute("select 1 from results where key = ?", [key]).fetchone())
+        return self._row("select 1 from results where key = ?", key) is not None
 
     def keep(self, key: str, value: bytes | Refused) -> None:
         """Keep a result, for good.
@@ -107,13 +116,9 @@ class Store:
         ------
         OutputError: there is no room for it; all others stay.
         """
-        refused = isinstance(value, Refused)
         data = value.why.encode() if isinstance(value, Refused) else value
-        row = (key, VERSION, int(refused), data)
-        with self._guarded():
-            self._connection.execute(
-                "insert or replace into results values (?, ?, ?, ?, ?)", [*row, _seal(*row)]
-            )
+        row = (key, VERSION, int(isinstance(value, Refused)), data)
+        self._row("insert or replace into results values (?, ?, ?, ?, ?)", *row, _seal(*row))
 
     def content(self, source: str, signature: str) -> str | None:
         """The hash of a log whose files have that ``signature``; None: they were not read yet, or written
@@ -123,14 +128,11 @@ class Store:
         ------
         InputError: it is not what was kept of this log.
         """
-        with self._guarded():
-            row = self._connection.execute(
-                "select content, seal from files where source = ? and signature = ?",
-                [os.fsencode(source), signature],
-            ).fetchone()
+        name = os.fsencode(source)
+        row = self._row("select content, seal from files where source = ? and signature = ?", name, signature)
         if row is None:
             return None
-        self._check(row[1], os.fsencode(source), signature, row[0])
+        self._check(row[1], name, signature, row[0])
         return str(row[0])
 
     def saw(self, source: str, signature: str, youngest: int, content: str) -> None:
@@ -140,16 +142,14 @@ class Store:
         ------
         OutputError: there is no room for it.
         """
-        if time.time_ns() - youngest < _YOUNG:
-            return
-        row = (os.fsencode(source), signature, content)
-        with self._guarded():
-            self._connection.execute("insert or replace into files values (?, ?, ?, ?)", [*row, _seal(*row)])
+        if time.time_ns() - youngest >= _YOUNG:
+            row = (os.fsencode(source), signature, content)
+            self._row("insert or replace into files values (?, ?, ?, ?)", *row, _seal(*row))
 
-    @contextmanager
-    def _guarded(self) -> Iterator[None]:
+    def _row(self, statement: str, *values: Any) -> Any:
+        """The first row that a ``statement`` comes to; None without one."""
         try:
-            yield
+            return self._connection.execute(statement, values).fetchone()
         except sqlite3.DatabaseError as error:
             raise _cannot(self._name, error) from None
 
@@ -170,8 +170,8 @@ def open_store(path: Path) -> Iterator[Store]:
         path.parent.mkdir(parents=True, exist_ok=True)
         connection = sqlite3.connect(path, timeout=0.0, isolation_level=None)
     except (OSError, sqlite3.DatabaseError) as error:
-        raise InputError("results cannot be kept", where=Place(name), found=str(error)) from None
-    with contextlib.closing(connection):
+        raise InputError(_NO_PLACE, where=Place(name), found=str(error)) from None
+    with closing(connection):
         try:
             connection.execute("pragma locking_mode = exclusive")
             is_new = _is_new(connection, name)  # before anything of it is changed
@@ -212,36 +212,30 @@ def _is_new(connection: sqlite3.Connection, name: str) -> bool:
     )
 
 
+_NO_PLACE: Final = "results cannot be kept"
+_DAMAGED: Final = ("the store of results is damaged", "delete it: all logs are read again then")
+#: What is wrong where SQLite fails with one of these codes, and what to do.
+_FAILURES: Final = {
+    (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED): (
+        "another run holds the results",
+        "wait for its end, or choose another folder",
+    ),
+    (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_ERROR): _DAMAGED,  # the last: no table
+    (sqlite3.SQLITE_READONLY, sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_PERM): (
+        _NO_PLACE,
+        "choose another folder with -o, or allow this one to be written",
+    ),
+}
+
+
 def _cannot(name: str, error: sqlite3.DatabaseError) -> RobodynError:
     """What to say where SQLite fails."""
-    code = (getattr(error, "sqlite_errorcode", 0) or 0) & 0xFF
-    where = Place(name)
-    if code in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED):
-        return InputError(
-            "another run holds the results", where=where, remedy="wait for its end, or choose another folder"
-        )
-    if code in (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_ERROR):  # the last: no table
-        return _damaged(name, str(error))
-    if code in (sqlite3.SQLITE_READONLY, sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_PERM):
-        return InputError(
-            "results cannot be kept", where=where, found=str(error),
-            remedy="choose another folder with -o, or allow this one to be written",
-        )  # fmt: skip
-    return OutputError(
-        "results cannot be kept",
-        where=where,
-        found=str(error),
-        remedy="free some space and run it again: what is done is kept",
-    )
-
-
-def _damaged(name: str, what: str) -> InputError:
-    return InputError(
-        "the store of results is damaged",
-        where=Place(name),
-        found=what,
-        remedy="delete it: all logs are read again then",
-    )
+    code, where = (getattr(error, "sqlite_errorcode", 0) or 0) & 0xFF, Place(name)
+    for codes, (what, remedy) in _FAILURES.items():
+        if code in codes:
+            return InputError(what, where=where, found=str(error), remedy=remedy)
+    remedy = "free some space and run it again: what is done is kept"
+    return OutputError(_NO_PLACE, where=where, found=str(error), remedy=remedy)
 
 
 def _seal(*row: Any) -> str:

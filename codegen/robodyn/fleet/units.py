@@ -27,20 +27,15 @@ _log = logging.getLogger("robodyn.fleet")
 
 @dataclass(frozen=True, slots=True)
 class _Case:
-    """Logs of a ``unit`` of a ``type`` that are diagnosed together: their ``sources`` and ``hashes``, where
-    the files go (``place``, relative), and the ``key`` of what they come to."""
+    """Logs of a ``unit`` of a ``type`` that are diagnosed together: their ``paths`` as a worker reads them,
+    and ``hashes``, where the files go (``place``, relative), and the ``key`` of what they come to."""
 
     type: str
     unit: str
     place: str
-    sources: tuple[str, ...]
+    paths: tuple[str, ...]
     hashes: tuple[str, ...]
     key: str
-
-    @property
-    def paths(self) -> tuple[str, ...]:
-        """The sources as a worker reads them."""
-        return tuple(map(absolute_source, self.sources))
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,23 +91,20 @@ def diagnosed(
                     store.keep(key, Refused(reason))
             tell(k + 1, len(new))
     for case in cases:  # all of them, before the first is written
-        packed = store.result(case.key)
-        if isinstance(packed, bytes):
-            check_outputs(folder, _files(case, packed))
-    pages = dict[tuple[str, str], str]()
+        check_outputs(folder, _outcome(case, store)[1])
     named = dict[str, list[tuple[str, int | None]]]()
     for case in cases:
-        packed = store.result(case.key)
-        if isinstance(packed, bytes):
-            named[case.place], _ = unpacked(packed)
-            write_files(folder, _files(case, packed))
-            if case.place == unit_folder(case.type, case.unit):
-                pages[case.type, case.unit] = f"{case.place}/{PAGE}"
+        effects, files = _outcome(case, store)
+        if files:
+            named[case.place] = effects
+            write_files(folder, files)
     results = {}
-    for unit_key, page in pages.items():
-        place = unit_folder(*unit_key)
-        before = named.get(f"{place}/{BEFORE}", named[place])  # without one nothing is new
-        results[unit_key] = Diagnosed(page, tuple(one for one in named[place] if one not in before))
+    for unit in units:
+        place = unit_folder(unit.type, unit.unit)
+        if place in named:
+            before = named.get(f"{place}/{BEFORE}", named[place])  # without one nothing is new
+            new_effects = tuple(effect for effect in named[place] if effect not in before)
+            results[unit.type, unit.unit] = Diagnosed(f"{place}/{PAGE}", new_effects)
     return results
 
 
@@ -136,9 +128,8 @@ def _cases(
     after = [log for log in logs if not days or log.date >= max(days)] or list(logs[-1:])
     before = [log for log in logs if days and log.date < min(days)]
     place = unit_folder(unit.type, unit.unit)
-    groups = [(place, after[-LOGS_AFTER:]), (f"{place}/{BEFORE}", before[-1:])]
     cases = []
-    for where, chosen in groups:
+    for where, chosen in ((place, after[-LOGS_AFTER:]), (f"{place}/{BEFORE}", before[-1:])):
         if chosen:
             sources = tuple(log.source for log in chosen)
             own = tuple(hashes[source] for source in sources)
@@ -148,11 +139,17 @@ def _cases(
                 "diagnosis", own_key(), maker.__module__, maker.__qualname__, arm.text, arm.mapping or "",
                 *names, *own,
             )  # fmt: skip
-            cases.append(_Case(unit.type, unit.unit, where, sources, own, key))
+            paths = tuple(map(absolute_source, sources))
+            cases.append(_Case(unit.type, unit.unit, where, paths, own, key))
     return cases
 
 
-def _files(case: _Case, packed: bytes) -> dict[str, bytes]:
-    """The files of the diagnosis of a ``case``, relative to the folder of results."""
-    _, files = unpacked(packed)
-    return {f"{case.place}/{name}": text.encode(errors="surrogateescape") for name, text in files.items()}
+def _outcome(case: _Case, store: Store) -> tuple[list[tuple[str, int | None]], dict[str, bytes]]:
+    """What the diagnosis of a ``case`` names, and its files, relative to the folder of results: none where it
+    came to nothing."""
+    packed = store.result(case.key)
+    if not isinstance(packed, bytes):
+        return [], {}
+    effects, files = unpacked(packed)
+    encoded = {name: text.encode(errors="surrogateescape") for name, text in files.items()}
+    return effects, {f"{case.place}/{name}": content for name, content in encoded.items()}

@@ -19,7 +19,9 @@ from robodyn.logs.content import digest, files_of, signature
 if TYPE_CHECKING:
     from robodyn.fleet.digest import Digest
     from robodyn.logs.log import Log
+    from robodyn.logs.mapping import LogMap
     from robodyn.logs.streams import Mean
+    from robodyn.robot.model import Robot
 
 #: When a log began stands before its digest.
 _BEGAN: Final = Struct("<d")
@@ -29,14 +31,14 @@ def contents(sources: Sequence[str]) -> list[tuple[str, str, int] | str]:
     """Of each log its hash, the signature of its files and when the youngest was written
     (:func:`robodyn.logs.content.signature`), or why it cannot be read."""
 
-    def content(source: str) -> tuple[str, str, int] | str:
+    read: list[tuple[str, str, int] | str] = []
+    for source in sources:
         try:
             before, youngest = signature(source)
-            return digest(source), before, youngest
+            read.append((digest(source), before, youngest))
         except OSError as error:
-            return f"the file cannot be read: {(error.strerror or str(error)).lower()}"
-
-    return [content(source) for source in sources]
+            read.append(f"the file cannot be read: {(error.strerror or str(error)).lower()}")
+    return read
 
 
 def digest_log(arm: ArmType, source: str, content: str) -> bytes:
@@ -48,65 +50,60 @@ def digest_log(arm: ArmType, source: str, content: str) -> bytes:
     InputError: it cannot be used.
     Changed: it is another by now, or not here.
     """
+    from robodyn.fleet.digest import digest_of
+    from robodyn.fleet.limits import PIECE
+    from robodyn.logs.pieces import pieces
+    from robodyn.logs.streams import together
+
+    robot, mapping = _described(arm)
+    notes: list[tuple[float | None, Mapping[str, Mean]]] = []
+
+    def noted() -> Iterator[Log]:
+        for part in pieces(source, robot.n, mapping=mapping, robot=robot, most=PIECE):
+            notes.append((part.date, part.conditions))
+            yield part
+
     with _unchanged([source], [content]):
-        return _digest(arm, source)
+        value = digest_of(arm, noted())
+        means = together(conditions for _, conditions in notes)
+        conditions = {name: mean.value for name, mean in means.items() if mean.count}
+        began = next((date for date, _ in notes if date is not None), IN_LOG)
+        return _BEGAN.pack(began) + replace(value, conditions=conditions).to_bytes()
+
+
+def _described(arm: ArmType) -> tuple[Robot, LogMap | None]:
+    """An arm, and the map of its logs."""
+    from robodyn.logs.mapping import map_of_text
+    from robodyn.robot.reader import read_text
+
+    mapping = None if arm.mapping is None else map_of_text(arm.mapping, f"the map of {arm.name}")
+    return read_text(arm.text, arm.spec, warn=lambda _: None), mapping
 
 
 @contextmanager
 def _unchanged(sources: Sequence[str], hashes: Sequence[str]) -> Iterator[None]:
     """What is worked out meanwhile, or what is said of a log that cannot be used, is of the logs with these
-    ``hashes``.
+    hashes.
 
     Raises
     ------
     Changed: a log has another content when it has been read.
     """
+    failure = None
     try:
         yield
-    except Exception:
-        _check_content(sources, hashes)
-        raise
-    _check_content(sources, hashes)
-
-
-def _check_content(sources: Sequence[str], hashes: Sequence[str]) -> None:
-    """As :func:`_unchanged`, of now."""
+    except Exception as error:
+        failure = error
     for source, content in zip(sources, hashes, strict=True):
-        try:
-            same = digest(source) == content
-        except OSError as error:
-            reason = (error.strerror or str(error)).lower()
+        here, reason = _digest_here(source)
+        if here is None:
             raise Changed(f"{source} cannot be read any more: {reason}") from None
-        if not same:
+        if here != content:
             raise Changed(
                 f"{source} was written while it was read", remedy="run it again when it is complete"
-            ) from None
-
-
-def _digest(arm: ArmType, source: str) -> bytes:
-    """As :func:`digest_log`, of whatever is at ``source``."""
-    from robodyn.fleet.digest import digest_of
-    from robodyn.fleet.limits import PIECE
-    from robodyn.logs.mapping import map_of_text
-    from robodyn.logs.pieces import pieces
-    from robodyn.logs.streams import together
-    from robodyn.robot.reader import read_text
-
-    robot = read_text(arm.text, arm.spec, warn=lambda _: None)
-    mapping = None if arm.mapping is None else map_of_text(arm.mapping, f"the map of {arm.name}")
-    parts = pieces(source, robot.n, mapping=mapping, robot=robot, most=PIECE)
-    notes: list[tuple[float | None, Mapping[str, Mean]]] = []
-
-    def noted() -> Iterator[Log]:
-        for part in parts:
-            notes.append((part.date, part.conditions))
-            yield part
-
-    value = digest_of(arm, noted())
-    means = together(conditions for _, conditions in notes)
-    conditions = {name: mean.value for name, mean in means.items() if mean.count}
-    began = next((date for date, _ in notes if date is not None), IN_LOG)
-    return _BEGAN.pack(began) + replace(value, conditions=conditions).to_bytes()
+            )
+    if failure is not None:
+        raise failure
 
 
 def digested(data: bytes) -> tuple[float, Digest]:
@@ -134,29 +131,16 @@ def diagnose_unit(
     InputError: a log cannot be used.
     Changed: one is another by now, or not here.
     """
-    with _unchanged(sources, hashes):
-        return _diagnose(arm, sources, hashes, files_of)
-
-
-def _diagnose(
-    arm: ArmType,
-    sources: Sequence[str],
-    hashes: Sequence[str],
-    files_of: Callable[..., Mapping[str, str]],
-) -> bytes:
-    """As :func:`diagnose_unit`, of whatever is at ``sources``."""
     from robodyn.diagnose.run import diagnose
     from robodyn.logs.log import read_log
-    from robodyn.logs.mapping import map_of_text
-    from robodyn.robot.reader import read_text
 
-    robot = read_text(arm.text, arm.spec, warn=lambda _: None)
-    mapping = None if arm.mapping is None else map_of_text(arm.mapping, f"the map of {arm.name}")
-    logs = [read_log(source, robot.n, mapping=mapping, robot=robot) for source in sources]
-    names = [Path(source).name for source in sources]
-    diagnosis = diagnose(robot, logs, text=arm.text, names=names, hashes=hashes)
-    names_of = [(one.effect, one.joint) for one in diagnosis.findings]
-    return zlib.compress(json.dumps([names_of, dict(files_of(diagnosis))], sort_keys=True).encode(), 6)
+    robot, mapping = _described(arm)
+    with _unchanged(sources, hashes):
+        logs = [read_log(source, robot.n, mapping=mapping, robot=robot) for source in sources]
+        names = [Path(source).name for source in sources]
+        diagnosis = diagnose(robot, logs, text=arm.text, names=names, hashes=hashes)
+        effects = [(one.effect, one.joint) for one in diagnosis.findings]
+        return zlib.compress(json.dumps([effects, dict(files_of(diagnosis))], sort_keys=True).encode(), 6)
 
 
 def unpacked(data: bytes) -> tuple[list[tuple[str, int | None]], dict[str, str]]:
@@ -195,8 +179,7 @@ def check_same_file(source: str, content: str | None, reason: str) -> None:
     ------
     WrongWorker: it is another.
     """
-    here = _digest_here(source)
-    if here is not None and here != content:
+    if _digest_here(source)[0] not in (None, content):
         raise _other_file(source, reason)
 
 
@@ -207,15 +190,8 @@ def check_changed(sources: Sequence[str], hashes: Sequence[str], reason: str) ->
     ------
     WrongWorker: none has: the worker sees others.
     """
-    if all(_digest_here(source) == content for source, content in zip(sources, hashes, strict=True)):
+    if [_digest_here(source)[0] for source in sources] == list(hashes):
         raise _other_file(", ".join(sources), reason)
-
-
-def _digest_here(source: str) -> str | None:
-    try:
-        return digest(source)
-    except OSError:
-        return None
 
 
 def _other_file(sources: str, reason: str) -> WrongWorker:
@@ -225,3 +201,11 @@ def _other_file(sources: str, reason: str) -> WrongWorker:
         expected="the same file under the same path for this process and all workers",
         remedy="put the logs on a file system that all of them share, such as a network drive",
     )
+
+
+def _digest_here(source: str) -> tuple[str | None, str]:
+    """The hash of a log, or None and why it cannot be read."""
+    try:
+        return digest(source), ""
+    except OSError as error:
+        return None, (error.strerror or str(error)).lower()
