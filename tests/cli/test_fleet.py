@@ -82,7 +82,7 @@ def test_units_are_diagnosed_and_their_pages_lead_there(here: Path) -> None:
     ("options", "code", "what"),
     [
         ("--on nowhere", 2, "no place where work could run"),
-        ("--on dask://host:70000", 2, "there is no such port"),
+        ("--on dask://host:70000", 2, "dask://HOST:PORT (up to 65535)"),
         ("--false-names 1", 2, "--false-names is not a share; found 1; expected less than 1"),
         ("--tls-ca ca.pem", 2, "TLS takes two files at least"),
         (

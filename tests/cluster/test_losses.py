@@ -7,15 +7,13 @@ import os
 import signal
 import subprocess
 import sys
-from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from cluster.functions import deadly, note, picky
+from cluster.functions import deadly, note
 from robodyn.cluster import Done, Failed, open_cluster
-from robodyn.errors import InputError, ToolError
+from robodyn.errors import ToolError
 from robodyn_testing import require_module
 from robodyn_testing.dask_machines import Machines, kill
 from robodyn_testing.waiting import eventually, runs
@@ -34,35 +32,6 @@ def notes(tmp_path: Path) -> Path:
 def worked(notes: Path, x: int) -> list[int]:
     """The processes that have worked on ``x``."""
     return [int(line) for line in (notes / str(x)).read_text().split()]
-
-
-def test_results_of_processes_are_those_of_this_one(capfd: pytest.CaptureFixture[str]) -> None:
-    with open_cluster("local:2") as cluster:
-        assert cluster.count == 2
-        results = list(cluster.each(picky, ((k, (k,)) for k in range(50))))
-    assert Counter(key for key, _ in results) == Counter(range(50))
-    for key, result in results:
-        if key == 3:
-            assert isinstance(result, Failed)
-            assert isinstance(result.error, InputError)
-            assert result.error.found == "3"
-        else:
-            assert result == Done(key)
-    assert capfd.readouterr() == ("", "")
-
-
-def test_tasks_are_taken_as_there_is_room() -> None:
-    taken: list[int] = []
-
-    def tasks() -> Iterator[tuple[int, tuple[int]]]:
-        for k in range(200):
-            taken.append(k)
-            yield k, (k,)
-
-    with open_cluster("local:1") as cluster:
-        for done, _ in enumerate(cluster.each(picky, tasks())):
-            assert len(taken) <= done + 1 + 3
-    assert len(taken) == 200
 
 
 def test_a_piece_that_ends_its_process_is_named_and_no_other_is() -> None:

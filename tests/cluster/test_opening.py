@@ -21,9 +21,11 @@ from robodyn.toolchain.sources import own_key
 @pytest.mark.parametrize(
     "on",
     ["", "there", "local:", "local:0", "local:-1", "local:2x", "here:2", "dask://", "dask://host",
-     "dask://host:", "dask://host:port", "dask:host:8786", "tcp://host:8786", "dask://a b:1", "dask://host:1/x"],
+     "dask://host:", "dask://host:port", "dask:host:8786", "tcp://host:8786", "dask://a b:1", "dask://host:1/x",
+     "local:1025", "dask://host:0", "dask://host:65536"],
 )  # fmt: skip
 def test_what_is_no_place(on: str) -> None:
+    """Refused at once, and not after the time in which a scheduler would answer."""
     with pytest.raises(InputError, match="no place where work could run") as error, open_cluster(on):
         pass
     assert error.value.found == repr(on)
@@ -49,17 +51,6 @@ def test_linear_algebra_has_one_thread_and_then_what_it_had(
     assert {os.environ.get(name) for name in ONE_THREAD} == {value}
 
 
-@pytest.mark.parametrize(
-    ("on", "message"),
-    [("local:1025", "too many processes; found 1025; expected at most 1024")]
-    + [(f"dask://host:{port}", f"no such port; found {port}; expected 1 to 65535") for port in (0, 65536)],
-)
-def test_what_is_out_of_range(on: str, message: str) -> None:
-    """Refused at once, and not after the time in which a scheduler would answer."""
-    with pytest.raises(InputError, match=message), open_cluster(on):
-        pass
-
-
 @pytest.mark.parametrize("on", ["local:2", "local", "dask://host:8786"])
 def test_without_dask(on: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
@@ -71,35 +62,38 @@ def test_without_dask(on: str, monkeypatch: pytest.MonkeyPatch) -> None:
         assert dict(cluster.each(square, [("a", (3,))])) == {"a": Done(9)}
 
 
-def test_this_process_takes_tasks_when_it_is_free() -> None:
+@pytest.mark.parametrize("on", ["here", pytest.param("local:2", marks=pytest.mark.thorough)])
+def test_each_result_comes_once_and_tasks_are_taken_as_there_is_room(
+    on: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    count, ahead = (1, 0) if on == "here" else (2, 6)
     taken: list[int] = []
 
     def tasks() -> Iterator[tuple[int, tuple[int]]]:
-        for k in range(5):
+        for k in range(50):
             taken.append(k)
             yield k, (k,)
 
-    with open_cluster("here") as cluster:
-        assert cluster.count == 1
+    results: dict[int, Done | Failed] = {}
+    with open_cluster(on) as cluster:
+        assert cluster.count == count
         for key, result in cluster.each(picky, tasks()):
-            assert taken == list(range(key + 1))
-            if key == 3:
-                assert isinstance(result, Failed)
-                assert isinstance(result.error, InputError)
-                assert (result.error.found, str(result.error)) == ("3", "three cannot be used; found 3")
-            else:
-                assert result == Done(key)
-
-
-class Odd(Exception):
-    """Cannot be pickled: its arguments are not those that it is made from."""
-
-    def __init__(self, a: int, b: int) -> None:
-        super().__init__(f"{a} and {b}")
+            assert key not in results
+            results[key] = result
+            assert len(taken) <= len(results) + ahead
+    failed = results.pop(3)
+    assert results == {k: Done(k) for k in range(50) if k != 3}
+    assert isinstance(failed, Failed)
+    assert isinstance(failed.error, InputError)
+    assert (failed.error.found, str(failed.error)) == ("3", "three cannot be used; found 3")
+    assert capfd.readouterr() == ("", "")
 
 
 def raises_odd() -> None:
-    raise Odd(1, 2)
+    class Odd(Exception):
+        """Cannot be pickled: nobody else can import it."""
+
+    raise Odd("1 and 2")
 
 
 def test_an_exception_that_cannot_be_sent_is_sent_as_its_words() -> None:
@@ -122,13 +116,10 @@ def test_other_versions_are_refused(name: str, monkeypatch: pytest.MonkeyPatch) 
     theirs = {**likeness(), name: "0.1"}
     with pytest.raises(WrongWorker, match=rf"the worker tcp://a:1 has other versions.*found {name} 0\.1;"):
         compare("the worker tcp://a:1", theirs)
-
-
-@pytest.mark.parametrize("threads", ["4", None])
-def test_a_worker_with_many_threads_is_refused(threads: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in ONE_THREAD:
-        monkeypatch.delenv(name, raising=False)
-    if threads:
-        monkeypatch.setenv("OMP_NUM_THREADS", threads)
-    with pytest.raises(WrongWorker, match="more threads than one; start it with OMP_NUM_THREADS=1"):
-        compare("a worker", worker_likeness())
+    for threads in ({"OMP_NUM_THREADS": "4"}, {}):
+        for variable in ONE_THREAD:
+            monkeypatch.delenv(variable, raising=False)
+        for variable, value in threads.items():
+            monkeypatch.setenv(variable, value)
+        with pytest.raises(WrongWorker, match="more threads than one; start it with OMP_NUM_THREADS=1"):
+            compare("a worker", worker_likeness())

@@ -20,9 +20,9 @@ from robodyn.errors import InputError, ToolError
 from robodyn.toolchain.program import cores
 from robodyn.tools.libraries import CRYPTOGRAPHY, DISTRIBUTED
 
-_EXPECTED: Final = f"here, local, local:N with N from 1 to {MOST_PROCESSES}, or dask://HOST:PORT"
 #: [-] The last port that TCP has.
 _LAST_PORT: Final = 65535
+_EXPECTED: Final = f"here, local, local:N (N up to {MOST_PROCESSES}) or dask://HOST:PORT (up to {_LAST_PORT})"
 
 
 def check_place(on: str) -> None:
@@ -34,11 +34,9 @@ def check_place(on: str) -> None:
     """
     local = re.fullmatch(r"local(?::([1-9]\d{0,8}))?", on, re.ASCII)
     remote = re.fullmatch(r"dask://(?:\[[0-9A-Fa-f:.]+\]|[\w.-]+):(\d{1,5})", on)
-    if local and int(local[1] or 1) > MOST_PROCESSES:
-        raise InputError("too many processes", found=local[1], expected=f"at most {MOST_PROCESSES}")
-    if remote and not 1 <= int(remote[1]) <= _LAST_PORT:
-        raise InputError("there is no such port", found=remote[1], expected=f"1 to {_LAST_PORT}")
-    if on != "here" and not local and not remote:
+    is_local = local and int(local[1] or 1) <= MOST_PROCESSES
+    is_remote = remote and 1 <= int(remote[1]) <= _LAST_PORT
+    if not (on == "here" or is_local or is_remote):
         raise InputError("no place where work could run", found=repr(on), expected=_EXPECTED)
 
 

@@ -85,10 +85,10 @@ def readings_of(
         if one.kind == "friction":
             value, error, most = np.log(np.maximum(level[:, j], 1e-300)), share[:, j], SEEN["friction"]
         elif one.kind == "offset":
-            value, error = _of_place(numbers, numbers.places.offset(j))
+            value, error = _of_place(numbers, numbers.places.of("offset", j))
             most = SEEN["offset"] * float(usual[j])
         elif one.kind == "gain":
-            value, error = _of_place(numbers, numbers.places.gain(j))
+            value, error = _of_place(numbers, numbers.places.of("gain", j))
             most = SEEN["gain"]
         elif one.kind == "play":
             value, most = bursts[:, j], SEEN["play"]
@@ -110,10 +110,8 @@ def _levels(numbers: LogNumbers) -> tuple[Floats, Floats]:
     n = numbers.places.n
     level, error = np.zeros((len(numbers.y), n)), np.zeros((len(numbers.y), n))
     for j in range(n):
-        pair, weight = (
-            [numbers.places.viscous(j), numbers.places.coulomb(j)],
-            np.array([numbers.speed[j], 1.0]),
-        )
+        pair = [numbers.places.of(name, j) for name in ("viscous", "coulomb")]
+        weight = np.array([numbers.speed[j], 1.0])
         level[:, j] = numbers.y[:, pair] @ weight
         variance = np.einsum("a,kab,b->k", weight, numbers.covariance[:, pair][:, :, pair], weight)
         error[:, j] = np.sqrt(np.maximum(variance, 0))

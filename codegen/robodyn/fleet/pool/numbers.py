@@ -12,7 +12,7 @@ Each joint of each log counts by what is left of its torque and by how many of i
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -26,6 +26,8 @@ from robodyn.identify.prior import Usual, prior_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
+#: What a log tells of the drive of each joint: friction, offset and gain of its torque.
+DRIVES: Final = ("viscous", "coulomb", "offset", "gain")
 #: What a log tells of a body at the tip: its mass and first moments [kg, kg m].
 BODY: Final = 4
 #: Fits of the type, each with the noise that the last one left.
@@ -42,32 +44,20 @@ class Places:
     @property
     def size(self) -> int:
         """How many there are."""
-        return 4 * self.n + BODY
+        return len(DRIVES) * self.n + BODY
 
     @property
     def mass(self) -> int:
-        """That of the body's mass."""
-        return 4 * self.n
+        """The place of the body's mass."""
+        return len(DRIVES) * self.n
 
-    def viscous(self, j: int) -> int:
-        """That of joint ``j`` (from 0)."""
-        return j
-
-    def coulomb(self, j: int) -> int:
-        """That of joint ``j`` (from 0)."""
-        return self.n + j
-
-    def offset(self, j: int) -> int:
-        """That of joint ``j`` (from 0)."""
-        return 2 * self.n + j
-
-    def gain(self, j: int) -> int:
-        """That of joint ``j`` (from 0)."""
-        return 3 * self.n + j
+    def of(self, drive: str, j: int) -> int:
+        """The place of one of :data:`DRIVES` of joint ``j`` (from 0)."""
+        return DRIVES.index(drive) * self.n + j
 
     def columns(self, layout: Layout) -> NDArray[np.intp]:
         """Those columns of a layout, with a gain for each joint behind it, that the numbers multiply."""
-        drives = [layout.joint(name) for name in ("viscous", "coulomb", "offset")]
+        drives = [layout.joint(name) for name in DRIVES[:-1]]
         gains = layout.size + np.arange(self.n)
         return np.concatenate([*drives, gains, layout.link(self.n - 1)[:BODY]])
 
@@ -156,7 +146,7 @@ def _weights(variance: Floats, alike: Floats, rows: Floats) -> Floats:
 
 def _prior_type(robot: Robot, layout: Layout, usual: Usual) -> _Type:
     prior = prior_of(robot, layout, usual)
-    drives = np.concatenate([layout.joint(name) for name in ("viscous", "coulomb", "offset")])
+    drives = np.concatenate([layout.joint(name) for name in DRIVES[:-1]])
     rigid = np.setdiff1d(np.arange(layout.size), drives)
     scatter = prior_of(robot, layout, usual, LINK_SHARE).sd[rigid]
     if "rotor" in layout.own:
@@ -178,9 +168,7 @@ def _fit_type(whole: _Type, usual: Usual, digest: Callable[[int], Digest], weigh
     prior = prior_of(whole.robot, whole.layout, usual)
     start = 1 / prior.sd[whole.rigid] ** 2
     H, h = np.diag(start), start * prior.mean[whole.rigid]
-    bare = _Type(
-        whole.robot, whole.layout, whole.rigid, np.zeros_like(whole.numbers), whole.scatter, whole.unseen
-    )
+    bare = replace(whole, numbers=np.zeros_like(whole.numbers))
     precision = np.diag(1 / whole.scatter**2)
     for k, weight in enumerate(weights):
         info, weighted = _marginal(*_equations(bare, digest(k), weight), bare)
@@ -188,7 +176,7 @@ def _fit_type(whole: _Type, usual: Usual, digest: Callable[[int], Digest], weigh
         less = solve(info + precision, np.column_stack([info, weighted]))
         H += info - info @ less[:, :-1]
         h += weighted - info @ less[:, -1]
-    return _Type(whole.robot, whole.layout, whole.rigid, solve((H + H.T) / 2, h), whole.scatter, whole.unseen)
+    return replace(whole, numbers=solve((H + H.T) / 2, h))
 
 
 def _fit_unit(
@@ -208,7 +196,7 @@ def _fit_unit(
         covariance[k] = solve(info[:s, :s] + np.diag(whole.unseen), np.eye(s))
         y[k] = covariance[k] @ (weighted[:s] - info[:s, s:] @ d)
         x = whole.vector(whole.numbers + d, y[k])
-        gains = 1 + y[k, Places(whole.layout.n).gain(0) :][: whole.layout.n]
+        gains = 1 + y[k, Places(whole.layout.n).of("gain", 0) :][: whole.layout.n]
         for j, R in enumerate(digest.roots):
             columns = whole.layout.columns(j)
             rigid = np.where(np.isin(columns, whole.rigid), gains[j], 1.0)

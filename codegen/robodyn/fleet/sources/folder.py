@@ -10,7 +10,7 @@ from robodyn.errors import InputError, Place
 from robodyn.files import label
 from robodyn.fleet.sources.dates import DateFormat, date_in
 from robodyn.fleet.sources.fleet import ArmType, Fleet, arm_type
-from robodyn.fleet.sources.gathering import Facts, Gathering, check_name
+from robodyn.fleet.sources.gathering import Facts, Gathering
 from robodyn.formats.loading import SUFFIXES
 from robodyn.logs.formats import is_log
 from robodyn.resources import bundled_robot
@@ -37,7 +37,6 @@ def fleet_of_folder(folder: Path) -> Fleet:
         logs = [(unit.name, log) for unit in _folders(kind) for log in _logs(unit)]
         place, spec = Place(label(kind)), description_of(folder, kind.name)
         if spec is not None:
-            check_name(kind.name, "a type", place)
             mapping = kind / MAP
             try:
                 types[kind.name] = arm_type(kind.name, str(spec), mapping if mapping.is_file() else None)

@@ -24,7 +24,7 @@ from robodyn.logs.map_text import map_text
 from robodyn.logs.mapping import map_of_columns
 from robodyn.project.tables import Key, Tables, shown
 
-#: What the file is called in a folder, in small letters or large ones.
+#: What the file is called in a folder.
 FILE: Final = "fleet.toml"
 
 
@@ -39,37 +39,20 @@ def read_fleet(path: str | Path) -> Fleet:
     InputError: there is none, it is wrong, or a log lacks its type, its unit or its date; with its place.
     """
     path = Path(path)
+    file = path / FILE if path.is_dir() else path
     try:
-        return _read(path, label(path))
+        if path.is_dir() and not file.is_file():
+            return fleet_of_folder(path)
+        text = read_text(
+            file, LARGEST_FILE, "a description of a fleet, such as fleet.toml, or a folder with one"
+        )
+        return _Reader(Tables(text, label(file)), file.parent).fleet()
     except OSError as error:
         raise InputError(
             "a file or folder of the fleet cannot be read",
             where=Place(label(error.filename or path)),
             found=(error.strerror or str(error)).lower(),
         ) from None
-
-
-def _read(path: Path, name: str) -> Fleet:
-    if path.is_dir():
-        files = sorted(each for each in path.iterdir() if each.name.lower() == FILE)
-        if len(files) > 1:
-            raise InputError(
-                "the folder has two descriptions of a fleet",
-                where=Place(name),
-                found=", ".join(each.name for each in files),
-                remedy="name one of them",
-            )
-        if not files:
-            return fleet_of_folder(path)
-        path, name = files[0], label(files[0])
-    elif not path.exists():
-        raise InputError(
-            "there is no fleet of this name",
-            where=Place(name),
-            expected="a file such as fleet.toml, or a folder with one",
-        )
-    text = read_text(path, LARGEST_FILE, "a description of a fleet, such as fleet.toml", name)
-    return _Reader(Tables(text, name), path.parent).fleet()
 
 
 class _Reader:
