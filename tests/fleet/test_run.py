@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 import shutil
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -19,11 +20,13 @@ from robodyn.cluster.cluster import ThisProcess
 from robodyn.errors import InputError, OutputError, ToolError
 from robodyn.fleet import run as run_module
 from robodyn.fleet.as_json import document
-from robodyn.fleet.result import Claim, FleetResult, UnitResult
+from robodyn.fleet.result import Claim, FleetResult, UnitResult, unit_folder
 from robodyn.fleet.run import run_fleet
 from robodyn.fleet.sources.fleet import IN_LOG, Fleet, LogFile
-from robodyn.fleet.store import Store
-from robodyn.fleet.units import Diagnosed, completed
+from robodyn.fleet.store import Store, open_store
+from robodyn.fleet.units import Diagnosed, completed, diagnosed
+from robodyn.logs.content import digest
+from robodyn.logs.log import Log
 
 
 class Counting(ThisProcess):
@@ -227,6 +230,27 @@ def test_what_nothing_explained_is_called_what_is_new_at_its_joint() -> None:
     after = completed(unit(claim(3), claim(2), claim(1, "coulomb_friction")), diagnosis)
     assert [one.effects for one in after.claims] == [("backlash",), (), ("coulomb_friction",)]
     assert after.diagnosis == diagnosis.page
+
+
+def test_what_was_there_before_a_change_is_not_new(
+    fleet: Fleet, tmp_path: Path, cluster: Counting, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Three logs after the day of a change, of which the last two count, and one before it."""
+
+    def diagnose(robot: object, logs: Sequence[Log], **_: object) -> Any:
+        effects = [("payload", None), *[("backlash", 3)] * (len(logs) == 2)]
+        findings = [SimpleNamespace(effect=effect, joint=joint) for effect, joint in effects]
+        return SimpleNamespace(findings=findings, verdict="missing_effect", logs=logs)
+
+    monkeypatch.setattr("robodyn.diagnose.run.diagnose", diagnose)
+    logs = tuple(replace(log, unit="one", date=k * 5e8) for k, log in enumerate(fleet.logs[:4]))
+    one = replace(unit(replace(claim(3), since=4e8)), type=logs[0].type)
+    hashes = {log.source: digest(log.source) for log in logs}
+    known, quiet = replace(fleet, logs=logs), lambda *_: None
+    with open_store(tmp_path / "store") as store:
+        results = diagnosed(known, [one], hashes, store, lambda: cluster, tmp_path, files_of, quiet)
+    assert results[one.type, "one"].new == (("backlash", 3),)
+    assert (tmp_path / unit_folder(one.type, "one") / "before" / "report.html").is_file()
 
 
 def test_a_unit_without_a_diagnosis_stays_as_it_is() -> None:

@@ -72,7 +72,7 @@ CASES: Mapping[str, tuple[str, list[str], dict[str, str], list[tuple[str, str, s
     ),
     "folders in folders, without what is left out; two entries complete each other": (
         FILES + "[[logs]]\nfiles = 'logs/**/{date}.csv'\nexclude = ['logs/*/test', '**/*-02.csv']\n"
-        "[[logs]]\nmanifest = 'm.csv'\nexclude = 'gone/*'\n",
+        "[[logs]]\nmanifest = 'm.csv'\nexclude = 'gone'\n",
         ["logs/7/2026-05-03.csv", "logs/7/test/2026-05-03.csv"],
         {"m": "source,temperature\nlogs/7/2026-05-03.csv,31\ngone/x.csv,3\n"},
         [("logs/7/2026-05-03.csv", "7", "2026-05-03T00:00", {"temperature": 31})],
@@ -107,7 +107,9 @@ CASES: Mapping[str, tuple[str, list[str], dict[str, str], list[tuple[str, str, s
 @pytest.mark.parametrize("name", CASES)
 def test_logs_are_as_the_file_says(name: str, tmp_path: Path) -> None:
     text, names, texts, expected = CASES[name]
-    logs = read(tmp_path, TYPE + text, *names, **texts).logs
+    fleet = read(tmp_path, TYPE + text, *names, **texts)
+    logs = fleet.logs
+    assert not fleet.missing
     assert [
         (
             log.source.replace(f"{tmp_path}/", ""),

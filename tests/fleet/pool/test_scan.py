@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 from robodyn.fleet.pool.names import courses_of, permuted_of, sureness_of
+from robodyn.fleet.pool.numbers import Places
 from robodyn.fleet.pool.population import population_of
 from robodyn.fleet.pool.programs import is_same, program_change
 from robodyn.fleet.pool.scan import Course
+from robodyn.identify.normal import layout_of
 
 DAY = 86400.0
 
@@ -75,6 +77,14 @@ def test_one_odd_log_is_no_change_and_a_step_is() -> None:
     assert size == pytest.approx(1.0, abs=4 * error)
     assert stepped.holds(stepped.shapes.share[best], size)
     assert not course(noise).holds(stepped.shapes.share[best], 1.0)
+
+
+def test_numbers_of_a_log_stand_where_its_columns_do() -> None:
+    layout, places = layout_of(3, rotors=True, offsets=True), Places(3)
+    columns = places.columns(layout)
+    for drive in ("viscous", "coulomb", "offset"):
+        assert [columns[places.of(drive, j)] for j in range(3)] == layout.joint(drive).tolist()
+    assert [columns[places.of("gain", j)] for j in range(3)] == [layout.size + j for j in range(3)]
 
 
 def path(seed: int, part: float = 1.0) -> np.ndarray:

@@ -94,7 +94,7 @@ def _regexes(part: str, format: str, formats: list[str], names: set[str]) -> tup
     places, and with any text there. Adds to the ``formats`` of dates and the ``names`` of fields so far."""
     if part == _ANY:
         return ("(?:[^/]+/)*",) * 2
-    strict = shape = r"(?!\.)" if part[0] in "{*?" else ""
+    strict = shape = ""
     for k, piece in enumerate(_TOKENS.split(part)):
         exact = free = {"*": "[^/]*?", "?": "[^/]"}.get(piece, re.escape(piece))
         field = _FIELD.fullmatch(piece)
