@@ -103,7 +103,7 @@ def run_fleet(
         new = {source: content for source, content in hashes.items() if source not in reasons}
         keys, refused = _digested(fleet, new, store, cluster, tell)
         undated = [log.source for log in fleet.logs if math.isnan(log.date) and log.source in keys]
-        fleet = fleet.completed({source: digested(store.value(keys[source]))[0] for source in undated}, {})
+        fleet = fleet.dated({source: digested(store.value(keys[source]))[0] for source in undated})
         reasons = {log.source: _DATELESS for log in fleet.logs if math.isnan(log.date)} | reasons | refused
         unused = [*fleet.missing]
         for log in fleet.logs:

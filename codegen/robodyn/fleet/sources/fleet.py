@@ -59,16 +59,11 @@ class Fleet:
     logs: tuple[LogFile, ...]
     missing: tuple[Unused, ...] = ()
 
-    def completed(self, began: Mapping[str, float], conditions: Mapping[str, Mapping[str, float]]) -> Fleet:
-        """This fleet with what only the logs themselves say, by their sources: when they ``began`` [s since
-        1970], of those that have no date, and ``conditions`` that nothing else states. A log that says
-        nothing of it keeps :data:`IN_LOG`."""
+    def dated(self, began: Mapping[str, float]) -> Fleet:
+        """This fleet with the dates that only the logs themselves say: when they ``began`` [s since 1970], by
+        their sources. A log that says nothing of it keeps :data:`IN_LOG`."""
         logs = [
-            replace(
-                log,
-                date=began.get(log.source, IN_LOG) if math.isnan(log.date) else log.date,
-                conditions={**conditions.get(log.source, {}), **log.conditions},
-            )
+            replace(log, date=began.get(log.source, IN_LOG)) if math.isnan(log.date) else log
             for log in self.logs
         ]
         return replace(self, logs=tuple(sorted(logs, key=lambda log: log.order)))
