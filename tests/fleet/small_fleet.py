@@ -8,6 +8,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from robodyn.diagnose.result import Diagnosis
 from robodyn.fleet.sources.fleet import ArmType, Fleet, LogFile
@@ -18,6 +19,24 @@ from robodyn.robot.model import Robot
 
 NAME = "stanford_3dof"
 DAY = 86400.0
+Floats = NDArray[np.float64]
+
+
+def motion(
+    drawn: np.random.Generator,
+    t: Floats,
+    n: int,
+    speeds: tuple[float, float] = (0.8, 2.5),
+    sizes: tuple[float, float] = (0.05, 0.25),
+    pace: float = 1.0,
+) -> tuple[Floats, Floats, Floats]:
+    """Positions, velocities and accelerations [K, n] of joints that swing with three frequencies each."""
+    phase, speed, size = (drawn.uniform(*bounds, (3, n)) for bounds in ((0.0, 6.0), speeds, sizes))
+    speed = speed * pace
+    angle = speed[:, None] * t[None, :, None] + phase[:, None]
+    q = (size[:, None] * np.sin(angle)).sum(axis=0)
+    qd = ((size * speed)[:, None] * np.cos(angle)).sum(axis=0)
+    return q, qd, -((size * speed**2)[:, None] * np.sin(angle)).sum(axis=0)
 
 
 def write_log(path: Path, seed: int, friction: float = 5.0, seconds: float = 6.0, began: float = 0.0) -> None:
@@ -25,12 +44,8 @@ def write_log(path: Path, seed: int, friction: float = 5.0, seconds: float = 6.0
     rng = np.random.default_rng(seed)
     robot = load(NAME)
     t = np.arange(int(seconds * 100)) / 100
-    phase, speed, size = (rng.uniform(low, high, (3, 3)) for low, high in ((0, 6), (0.8, 2.5), (0.05, 0.25)))
-    angle = speed[:, None] * t[None, :, None] + phase[:, None]
-    q = (size[:, None] * np.sin(angle)).sum(axis=0)
+    q, qd, qdd = motion(rng, t, 3)
     q[:, 2] += 0.8
-    qd = ((size * speed)[:, None] * np.cos(angle)).sum(axis=0)
-    qdd = -((size * speed**2)[:, None] * np.sin(angle)).sum(axis=0)
     tau = Model(robot).torque(q, qd, qdd) + friction * qd
     log = Log(t + began, q, None, None, tau + 0.05 * rng.standard_normal(tau.shape))
     path.write_text(log.csv(), encoding="utf-8")

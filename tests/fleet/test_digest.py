@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from fleet.small_fleet import motion
 from robodyn.errors import InputError
 from robodyn.fleet.digest import Digest, digest_of
 from robodyn.fleet.sources.fleet import ArmType
@@ -24,12 +25,7 @@ def log(seed: int, seconds: float = 12.0, rate: float = 250.0, noise: float = 0.
     """What formulas say of the arm with friction at joint 3, along a motion that a seed draws."""
     rng = np.random.default_rng(seed)
     t = np.arange(int(seconds * rate)) / rate
-    phase, speed = rng.uniform(0, 6, (3, 6)), rng.uniform(0.7, 2.5, (3, 6))
-    size = rng.uniform(0.1, 0.4, (3, 6))
-    angle = speed[:, None] * t[None, :, None] + phase[:, None]
-    q = (size[:, None] * np.sin(angle)).sum(axis=0)
-    qd = ((size * speed)[:, None] * np.cos(angle)).sum(axis=0)
-    qdd = -((size * speed**2)[:, None] * np.sin(angle)).sum(axis=0)
+    q, qd, qdd = motion(rng, t, 6, speeds=(0.7, 2.5), sizes=(0.1, 0.4))
     robot = load_robot("puma560")
     joint = replace(robot.links[2].joint, viscous=Fraction(VISCOUS), coulomb=Fraction(COULOMB))
     links = (*robot.links[:2], replace(robot.links[2], joint=joint), *robot.links[3:])

@@ -9,6 +9,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from fleet.small_fleet import DAY, NAME, motion
 from robodyn.fleet.digest import Digest, digest_of
 from robodyn.fleet.pool.judge import judge
 from robodyn.fleet.result import FleetResult
@@ -17,8 +18,6 @@ from robodyn.formats.loading import load, text_of
 from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 
-DAY = 86400.0
-NAME = "stanford_3dof"
 UNITS, LOGS = 10, 8
 DRIFTS, LOADED, OTHER, RESTS, FAST = 3, 7, 5, 1, 8
 BEGINS = 150 * DAY
@@ -29,16 +28,10 @@ def _log(program: int, level: np.ndarray, mass: float, rng: np.random.Generator,
     its last link; the last joint may rest."""
     robot = load(NAME)
     n, t = robot.n, np.arange(6 * 100) / 100
-    drawn = np.random.default_rng(program)
-    ranges = ((0.0, 6.0), (0.8, 2.5), (0.05, 0.25))
-    phase, speed, size = (drawn.uniform(low, high, (3, n)) for low, high in ranges)
-    speed = speed * rng.uniform(0.9, 1.1)
-    size[:, -1] *= not rests
-    angle = speed[:, None] * t[None, :, None] + phase[:, None]
-    q = (size[:, None] * np.sin(angle)).sum(axis=0)
+    q, qd, qdd = motion(np.random.default_rng(program), t, n, pace=rng.uniform(0.9, 1.1))
+    if rests:
+        q[:, -1] = qd[:, -1] = qdd[:, -1] = 0.0
     q[:, 2] += 0.8
-    qd = ((size * speed)[:, None] * np.cos(angle)).sum(axis=0)
-    qdd = -((size * speed**2)[:, None] * np.sin(angle)).sum(axis=0)
     links = (*robot.links[:-1], replace(robot.links[-1], mass=robot.links[-1].mass + Fraction(mass)))
     tau = Model(replace(robot, links=links)).torque(q, qd, qdd)
     tau += level[:, 0] * qd + level[:, 1] * np.sign(qd) + 0.05 * rng.standard_normal(tau.shape)
