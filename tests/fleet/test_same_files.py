@@ -113,11 +113,14 @@ def test_what_nobody_can_read_is_named(fleet: Fleet, tmp_path: Path, monkeypatch
     os.mkfifo("logs/pipe")
     Path("logs/folder").mkdir()
     wrong = [replace(fleet.logs[0], source=f"logs/{name}") for name in ("folder", "gone.csv", "pipe")]
+    wrong[1] = replace(wrong[1], named="m.csv:3")
     logs = tuple(sorted((*wrong, *fleet.logs[1:]), key=lambda log: log.order))
     result = run(replace(fleet, logs=logs), ThisProcess(), monkeypatch)
     reasons = {log.source: log.why for log in result.unused}
     assert reasons.keys() == {log.source for log in wrong}
-    assert reasons["logs/gone.csv"] == "the file cannot be read: no such file or directory"
+    assert reasons["logs/gone.csv"] == (
+        "the file cannot be read: no such file or directory; m.csv:3 names it"
+    )
     assert "neither a file nor a folder" in reasons["logs/pipe"]
 
 

@@ -212,9 +212,12 @@ def test_what_cannot_be_is_refused(text: str, names: list[str], message: str, tm
 
 
 def test_wrong_paths_of_a_manifest_are_named_and_do_not_end_the_run(tmp_path: Path) -> None:
-    rows = f"source,unit,date,temperature\n{LOG},a,2026-01-01,3\nlogs/gone.csv,,,3\n{'x/' * 2000},,,3\n"
-    fleet = read(tmp_path, TYPE + MANIFEST, LOG, m=rows)
-    assert [log.unit for log in fleet.logs] == ["a"]
+    rows = f"{LOG},a,2026-01-01,3\nlogs/gone.csv,,,3\n{'x/' * 2000},,,3\nlogs/gone.csv2,b,2026-01-01,3\n"
+    fleet = read(tmp_path, TYPE + MANIFEST, LOG, m=f"source,unit,date,temperature\n{rows}")
+    assert [(log.unit, log.named) for log in fleet.logs] == [
+        ("a", f"{tmp_path}/m.csv:2"),
+        ("b", f"{tmp_path}/m.csv:5"),
+    ]
     reasons = [each.why for each in fleet.missing]
     assert reasons == [f"{tmp_path}/m.csv:{line} names it, and it is not there" for line in (3, 4)]
 

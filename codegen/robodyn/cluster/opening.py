@@ -8,7 +8,7 @@ import signal
 import ssl
 import warnings
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from tempfile import TemporaryDirectory
 from typing import Any, Final
 
@@ -121,8 +121,7 @@ def local_processes(count: int) -> Iterator[Scheduler]:
         scheduler = Scheduler(
             lambda: Client(processes, set_as_default=False, timeout=CONNECT), "Dask's scheduler"
         )
-        stack.callback(scheduler.close)
-        yield scheduler
+        yield stack.enter_context(closing(scheduler))
 
 
 @contextmanager
@@ -174,12 +173,8 @@ def scheduler_at(address: str, security: Security | None) -> Iterator[Scheduler]
     name = f"the scheduler dask://{address}"
     keys = _keys(security)
     scheme = "tls" if keys.require_encryption or keys.tls_client_cert else "tcp"
-    with quiet():
-        scheduler = Scheduler(lambda: _client(f"{scheme}://{address}", keys, name), name)
-        try:
-            yield scheduler
-        finally:
-            scheduler.close()
+    with quiet(), closing(Scheduler(lambda: _client(f"{scheme}://{address}", keys, name), name)) as scheduler:
+        yield scheduler
 
 
 def _keys(security: Security | None) -> Any:
@@ -229,20 +224,18 @@ def _client(address: str, keys: Any, name: str) -> Any:
         raise no_answer(name, CONNECT) from None
     except ImportError as error:
         raise not_there(error) from None
-    try:
+    with ExitStack() as stack:
+        stack.callback(client.close, timeout=CONNECT)
         try:
             client.wait_for_workers(1, timeout=CONNECT)
-        except TimeoutError:
-            raise no_worker(name, CONNECT) from None
-        try:
             compare("the scheduler", client.run_on_scheduler(likeness))
             for worker, theirs in client.run(worker_likeness).items():
                 compare(f"the worker {worker}", theirs)
+        except TimeoutError:
+            raise no_worker(name, CONNECT) from None
         except ImportError as error:
             raise not_there(error) from None
-    except BaseException:
-        client.close(timeout=CONNECT)
-        raise
+        stack.pop_all()
     return client
 
 

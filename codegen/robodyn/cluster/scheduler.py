@@ -134,8 +134,6 @@ class Scheduler:
                 pieces.suspects.append(piece)
                 return None
             return Failed(_deadly(error.args[1]))
-        except WrongWorker:
-            raise
         except (CancelledError, TimeoutError, OSError):
             pieces.again.append(piece)
             self._reach()

@@ -21,9 +21,7 @@ def document(result: FleetResult) -> dict[str, Any]:
 
     Points in time are ISO 8601, UTC, to the second. What is no number (NaN, infinity) is None.
     """
-    plain = _plain(result)
-    assert isinstance(plain, dict)
-    return plain
+    return dict(_plain(result))
 
 
 def text(document: Mapping[str, Any]) -> str:

@@ -133,6 +133,7 @@ def _contents(
     is unchanged is not read again."""
     hashes, unread, new = dict[str, str](), dict[str, str](), list[str]()
     paths = {log.source: absolute_source(log.source) for log in fleet.logs}
+    named = {log.source: f"; {log.named} names it" for log in fleet.logs if log.named}
     signatures = {source: _signature(path) for source, path in paths.items()}
     for source, here in signatures.items():
         content = here and store.content(paths[source], here)
@@ -152,7 +153,7 @@ def _contents(
             path, here = paths[source], signatures[source]
             if isinstance(read, str):
                 check_same_file(path, None, read)
-                unread[source] = read
+                unread[source] = read + named.get(source, "")
                 continue
             content, worker_signature, youngest = read
             # Where it is being written here, too, the digest of the log finds out.

@@ -35,13 +35,14 @@ class ArmType:
 class LogFile:
     """A log: its ``source`` as logs are named (a path, or two joined by ``+``), of a ``unit`` of a ``type``;
     when it was recorded, ``date`` [s since 1970, UTC; :data:`IN_LOG`: its times say it]; ``conditions`` by
-    name, such as a temperature."""
+    name, such as a temperature; ``named``: the line of the manifest that names it, if one does."""
 
     source: str
     type: str
     unit: str
     date: float
     conditions: Mapping[str, float]
+    named: str = ""
 
     @property
     def order(self) -> tuple[str, str, float, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -143,7 +144,8 @@ def _log(source: str, facts: Facts, types: Mapping[str, ArmType]) -> LogFile:
         raise InputError(
             "the name of a log is not UTF-8", where=where, remedy="rename it, or leave it out with exclude"
         )
-    return LogFile(source, kind, unit, date, dict(sorted(facts.conditions.items())))
+    line = "" if where.line is None else str(where)
+    return LogFile(source, kind, unit, date, dict(sorted(facts.conditions.items())), line)
 
 
 def check_name(text: str, what: str, where: Place | None = None) -> None:
@@ -183,7 +185,7 @@ def _is_there(source: str) -> bool:
 
 def _is_text(name: str) -> bool:
     """Whether UTF-8 has the ``name``: those of files may hold bytes that are none."""
-    return not any("\ud800" <= c <= "\udfff" for c in name)
+    return not re.search("[\ud800-\udfff]", name)
 
 
 def _with_others(errors: list[InputError]) -> InputError:

@@ -48,8 +48,8 @@ class Pattern:
         match = self.strict.fullmatch(path) or self.shape.fullmatch(path)
         if match is None:
             return None
-        pieces = [text for name, text in match.groupdict().items() if name.startswith("_")]
-        fields = {name: text for name, text in match.groupdict().items() if not name.startswith("_")}
+        fields = match.groupdict()
+        pieces = [fields.pop(name) for name in list(fields) if name[0] == "_"]
         return {**fields, DATE: " ".join(pieces)} if pieces else fields
 
     def glob(self, k: int) -> str:
@@ -95,7 +95,7 @@ def _regexes(part: str, format: str, formats: list[str], names: set[str]) -> tup
     if part == _ANY:
         return ("(?:[^/]+/)*",) * 2
     strict = shape = ""
-    for k, piece in enumerate(_TOKENS.split(part)):
+    for piece in _TOKENS.split(part):
         exact = free = {"*": "[^/]*?", "?": "[^/]"}.get(piece, re.escape(piece))
         field = _FIELD.fullmatch(piece)
         if field and (field[1] == DATE or not field[2]):
@@ -109,17 +109,11 @@ def _regexes(part: str, format: str, formats: list[str], names: set[str]) -> tup
             if name in names:
                 exact = free = f"(?P={name})"
             names.add(name)
-        elif k % 2 and piece[0] == "{":
-            raise InputError(
-                "this is no field of a pattern",
-                found=shown(piece),
-                expected="{type}, {unit}, {date}, {date:%Y%m%d}, or the name of a condition",
-            )
         elif "{" in piece or "}" in piece:
             raise InputError(
-                "a field of the pattern has no end or no beginning",
-                found=shown(part),
-                expected="{unit}, within one part of the path",
+                "this is no field of a pattern, or it has no end within its part of the path",
+                found=shown(piece),
+                expected="{type}, {unit}, {date}, {date:%Y%m%d}, or the name of a condition",
             )
         strict, shape = strict + exact, shape + free
     return f"{strict}/", f"{shape}/"

@@ -39,23 +39,17 @@ def propose_fleet(folder: Path) -> Proposal:
 
     Raises
     ------
-    InputError: the folder has no logs, or none whose name has a date.
+    InputError: the folder has no log whose name has a date.
     """
     logs = sorted(_logs(folder))
-    if not logs:
-        raise InputError(
-            "the folder has no logs",
-            where=Place(label(folder)),
-            expected="files such as ARM_2026-05-03.csv or ARM/2026-05-03.csv",
-        )
     plain = _only_type(folder)
     fitting = [(log, pattern) for log in logs if (pattern := _pattern(log.relative_to(folder)))]
     if not fitting:
         raise InputError(
             "no log of the folder has a date in its name",
             where=Place(label(folder)),
-            found=shown(str(logs[0].relative_to(folder))),
-            expected="a name such as ARM_2026-05-03.csv",
+            found=shown(str(logs[0].relative_to(folder))) if logs else "no logs",
+            expected="a name such as ARM_2026-05-03.csv or ARM/2026-05-03.csv",
             remedy='write a manifest with a column date: [[logs]], manifest = "manifest.csv"',
         )
     undated = len(logs) - len(fitting)

@@ -133,10 +133,10 @@ class _Reader:
         with self._stated(*at, "files"):
             text = self.tables.text((*at, "files"), entry["files"], "a pattern of paths")
             pattern = pattern_of(text, dates.format if dates else "")
+            own = dates and replace(dates, format=pattern.format)
             for path, fields in matches(pattern, self.folder, exclude):
-                where = Place(label(self.folder / path))
-                own = dates and replace(dates, format=pattern.format)
-                self.gathering.take(str(self.folder / path), where, fields, fixed, own)
+                log = str(self.folder / path)
+                self.gathering.take(log, Place(label(log)), fields, fixed, own)
 
     def _columns(
         self, at: tuple[Key, ...], entry: Mapping[str, Any]
@@ -172,11 +172,8 @@ class _Reader:
                 fixed.stated[DATE] = DateFormat("", zone).seconds(value.isoformat())
                 value = ""
             if not isinstance(value, str):
-                raise InputError(
-                    "this is no format of dates",
-                    found=shown(value),
-                    expected="a text such as '%Y-%m-%dT%H%M', 'unix' or 'log', or a date for all of the logs",
-                )
+                expected = "a text such as '%Y-%m-%dT%H%M', 'unix' or 'log', or a date for all of the logs"
+                self.tables.text(at, value, "a format of dates", expected)
             return DateFormat(check_format(value), zone)
 
     def _zone(self, at: tuple[Key, ...], table: Mapping[str, Any], default: tzinfo) -> tzinfo:
