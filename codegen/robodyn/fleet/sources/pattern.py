@@ -135,7 +135,8 @@ def matches(pattern: Pattern, base: Path, exclude: Sequence[Pattern]) -> Iterato
     count, furthest = 0, (-1, "", list[str]())
     for folder, folders, files in os.walk(base / start, onerror=_refuse_folder, followlinks=True):
         below = Path(folder).relative_to(base / start).parts
-        depth, names, fitting = skipped + len(below), sorted([*folders, *files]), list[str]()
+        depth, names = skipped + len(below), sorted([*folders, *files])
+        inside, further = set(folders), list[str]()
         is_any = _ANY in parts[: depth + 1]
         for name in names if is_any else fnmatch.filter(names, pattern.glob(depth)):
             if name.startswith(".") and (is_any or not parts[depth].startswith(".")):
@@ -146,11 +147,12 @@ def matches(pattern: Pattern, base: Path, exclude: Sequence[Pattern]) -> Iterato
             count += is_excluded or fields is not None
             if fields is not None and not is_excluded:
                 yield path, fields
-            if not is_excluded and (not _leads_up(folder, name) if is_any else depth + 1 < len(parts)):
-                fitting.append(name)
-        if depth > furthest[0] and not (fitting and not is_any):
+            leads_on = not _leads_up(folder, name) if is_any and name in inside else depth + 1 < len(parts)
+            if leads_on and name in inside and not is_excluded:
+                further.append(name)
+        if depth > furthest[0] and (is_any or not further):
             furthest = depth, folder, names
-        folders[:] = [name for name in fitting if name in set(folders)]
+        folders[:] = further
     if not count:
         depth, folder, names = furthest
         listed = ", ".join(map(shown, names[:LISTED])) + (", ..." if len(names) > LISTED else "")
