@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -26,8 +27,7 @@ def test_velocities_that_are_late(log: Log) -> None:
     assert log.qd is not None
     late = np.roll(log.qd, 12, axis=0)
     gate = inspect(replace(log, qd=late), GIVEN)
-    np.testing.assert_allclose([one.lag for one in gate.joints], 12.5e-3, atol=0.5e-3)
-    assert gate.flags_of("velocity_lag")
+    assert re.search(r"up to 12\.[3-7]\d* ms", flag_of(gate, "velocity_lag").text)
 
 
 @pytest.mark.parametrize("value", [0.0, np.nan])

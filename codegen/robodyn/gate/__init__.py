@@ -16,9 +16,10 @@ Checks against the motion and the model:
 
 - ``rates``: logged velocities against the slope of the positions: unit, sign,
   order of columns, lag.
-- ``model`` and ``readings``: whether the torques would agree far better in
-  other units, with other signs or in another order of the joints; ``likeness``
-  measures the agreement, whatever friction there is.
+- ``model``: whether the torques would agree far better in other units, with
+  other signs, zeros or gains, later, without gravity, or in another order of
+  the joints (``readings``); ``comparison`` says which readings are more
+  likely, by fits of the arm's numbers to each (``arm_fit``).
 - ``links``: second encoders, on the links.
 - ``content``: which part of each joint's dynamics the motion can show at all.
 

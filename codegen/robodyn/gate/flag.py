@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.errors import InputError, Place
-from robodyn.gate.limits import CHUNK, MOST_SPANS
+from robodyn.errors import InputError
+from robodyn.gate import limits
+from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]
@@ -53,11 +54,11 @@ def spans_of(rows: Sequence[int] | Rows, t: Floats) -> tuple[Span, ...]:
     index = np.asarray(rows, dtype=np.intp)
     if not len(index):
         return ()
-    cuts = np.flatnonzero(np.diff(index) > 1)[: MOST_SPANS - 1] + 1
+    cuts = np.flatnonzero(np.diff(index) > 1)[: limits.MOST_SPANS - 1] + 1
     # Beyond the last span that is listed nothing is.
     begins = [0, *cuts.tolist()]
     ends = [*cuts.tolist(), len(index)]
-    if len(cuts) == MOST_SPANS - 1:
+    if len(cuts) == limits.MOST_SPANS - 1:
         later = np.flatnonzero(np.diff(index[cuts[-1] :]) > 1)
         if len(later):
             ends[-1] = int(cuts[-1] + later[0] + 1)
@@ -69,14 +70,14 @@ def span(first: int, last: int, t: Floats) -> Span:
     return Span(first + 1, last + 1, float(t[first]), float(t[last]))
 
 
-def refuse(source: str | None, what: str, **more: Any) -> NoReturn:
-    """Refuse the log that is called ``source``.
+def refuse(what: str, *, found: str, expected: str, remedy: str) -> NoReturn:
+    """Refuse the log; :func:`robodyn.gate.gate.inspect` says which it is.
 
     Raises
     ------
     InputError: always.
     """
-    raise InputError(what, where=None if source is None else Place(source), **more)
+    raise InputError(what, found=found, expected=expected, remedy=remedy)
 
 
 def named(group: str, joints: Sequence[int]) -> str:
@@ -91,5 +92,20 @@ def count(amount: int, thing: str = "row") -> str:
 
 def chunks(samples: int) -> Iterator[slice]:
     """``samples`` rows in pieces, so that what is made of one is small beside a log."""
-    for start in range(0, samples, CHUNK):
-        yield slice(start, min(start + CHUNK, samples))
+    for start in range(0, samples, limits.CHUNK):
+        yield slice(start, min(start + limits.CHUNK, samples))
+
+
+def long_runs(mask: NDArray[np.bool_], least: int) -> NDArray[np.bool_]:
+    """Runs of the ``mask`` [K] of ``least`` samples or more."""
+    edges = np.flatnonzero(np.diff(np.r_[0, mask.astype(np.int8), 0]))
+    result = np.zeros(len(mask), dtype=bool)
+    for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        result[a:b] = b - a >= least
+    return result
+
+
+def motions(robot: Robot, angle: float) -> Floats:
+    """What says as much of each joint [n] as an ``angle`` [rad, per s...] of a revolute one."""
+    revolute = [link.joint.kind == "revolute" for link in robot.links]
+    return np.where(revolute, angle, limits.LEVER * angle)

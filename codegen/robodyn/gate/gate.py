@@ -7,38 +7,27 @@ the robot's. All else is told in flags with rows and times.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.errors import InputError, Place
+from robodyn.gate import limits
 from robodyn.gate.content import JointContent, content, steps_of
-from robodyn.gate.flag import Flag, Floats, Span, count, refuse
+from robodyn.gate.flag import Flag, Floats, Span, count, long_runs, motions, refuse
 from robodyn.gate.grid import on_grid
-from robodyn.gate.limits import (
-    MOST_SAMPLES,
-    REST_NOISE,
-    REST_SPEED,
-    REST_TIME,
-    REST_WAY,
-    SHORT_LOG,
-    SLOW_RATE,
-    SMOOTHING_LEAST,
-    SMOOTHING_REACH,
-    STILL_SPEED,
-    WINDOWS,
-)
 from robodyn.gate.links import check_links, with_usable_links
-from robodyn.gate.model import check_model, least_way
+from robodyn.gate.model import check_model
 from robodyn.gate.rates import check_rates
 from robodyn.gate.rows import usable
-from robodyn.gate.samples import constant, floor_of, fresh, unwrapped
+from robodyn.gate.samples import floor_of, fresh, unwrapped
 from robodyn.gate.smooth import noise_of, smoothed
 from robodyn.gate.stuck import check_stuck
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
 
-__all__ = ["MOST_SAMPLES", "Flag", "Gate", "JointContent", "Span", "inspect"]
+__all__ = ["Flag", "Gate", "JointContent", "Span", "inspect"]
 
 Mask = NDArray[np.bool_]
 
@@ -85,8 +74,8 @@ def inspect(
     parameters: Mapping[str, float] | None = None,
     *,
     source: str | None = None,
-    most: int = MOST_SAMPLES,
-    windows: int = WINDOWS,
+    most: int = limits.MOST_SAMPLES,
+    windows: int = limits.WINDOWS,
     thinned: int | None = None,
     is_one_of_many: bool = False,
 ) -> Gate:
@@ -101,9 +90,17 @@ def inspect(
     ------
     InputError: the log cannot be used; with rows, columns and times.
     """
+    try:
+        return _inspect(log, robot.at(parameters or {}), most, windows, thinned, is_one_of_many)
+    except InputError as error:
+        raise error if source is None else error.at(Place(source)) from None
+
+
+def _inspect(
+    log: Log, robot: Robot, most: int, windows: int, thinned: int | None, is_one_of_many: bool
+) -> Gate:
     if log.n != robot.n:
         refuse(
-            source,
             f"the log is not of {robot.name}",
             found=f"{log.n} joints",
             expected=f"{robot.n}",
@@ -116,71 +113,58 @@ def inspect(
         flags.append(Flag("ignored", listed, (), text))
     log, repeats = fresh(unwrapped(log, robot, flags), flags)
     log = with_usable_links(log, flags)
-    rows = usable(log, source, flags, repeats)
+    rows = usable(log, flags, repeats)
     some = rows.index[rows.parts[0][0] : rows.parts[0][1]][:20_000]
     steps = steps_of(log.q[some]), steps_of(log.tau[some])
     grid = on_grid(log, rows, most, flags, windows, thinned)
     del log, rows  # a long one is large; what is used of it is on the grid
-    check_stuck(grid, robot, parameters, source, flags)
-    smooth = smoothed(grid.log, grid.segments, grid.period)
-    noise = noise_of(grid.log.q, grid.segments), noise_of(grid.log.tau, grid.segments)
-    still = resting(
-        grid.log.q, grid.segments, grid.period, noise=noise[0], steps=steps[0],
-        revolute=[link.joint.kind == "revolute" for link in robot.links],
-    )  # fmt: skip
-    moving: NDArray[np.bool_] = np.asarray(~still.all(axis=1))
-    floor = floor_of(grid.log.tau, grid.segments, grid.period, noise[1], flags)
-    check_links(grid.log, source)
-    rates, accelerations, lag = check_rates(smooth, robot, grid.period, source, flags, noise[0])
-    unexplained = check_model(smooth, moving, robot, parameters, source, flags, is_one_of_many=is_one_of_many)
-    used = grid.log
-    if not rates or not accelerations:
-        used = Log(
-            used.t, used.q, used.qd if rates else None, used.qdd if accelerations else None, used.tau,
-            used.provenance, used.ignored, used.ql,
-        )  # fmt: skip
-    joints, saturated = content(
-        grid, smooth, robot, parameters,
-        steps=steps, noise=(noise[0], floor), lag=lag, unexplained=unexplained, flags=flags,
-    )  # fmt: skip
+    stuck = check_stuck(grid, robot, flags)
+    smooth = smoothed(grid.log, grid.segments, grid.period, stuck)
     if not smooth.inside.any():
         refuse(
-            source,
             "the log is in pieces that are too short",
-            found=f"{count(len(grid.segments), 'piece')}, none of them of {2 * SMOOTHING_LEAST} samples",
+            found=f"{count(len(grid.segments), 'piece')}, none of {2 * limits.SMOOTHING_LEAST} samples",
             expected="pieces of half a second, or some seconds without gaps",
             remedy="record a longer motion, without gaps",
         )
-    constant(grid.log, flags)
-    if (np.ptp(grid.log.q, axis=0) <= least_way(robot)).all():
+    noise = noise_of(grid.log.q, grid.segments), noise_of(grid.log.tau, grid.segments)
+    slow = motions(robot, limits.REST_SPEED)
+    still = resting(grid.log.q, grid.segments, grid.period, noise=noise[0], steps=steps[0], slow=slow)
+    floor = floor_of(grid.log.tau, grid.segments, grid.period, noise[1], flags)
+    check_links(grid.log)
+    # What moves visibly.
+    moves = np.ptp(smooth.q[smooth.inside], axis=0) > np.maximum(30 * noise[0], 1e-3)
+    rates, accelerations = check_rates(smooth, robot, grid.period, flags, moves)
+    moving = np.asarray(~still.all(axis=1))
+    check_model(smooth, moving, grid.period, robot, flags, is_one_of_many=is_one_of_many)
+    used = grid.log
+    if not rates or not accelerations:
+        used = replace(used, qd=used.qd if rates else None, qdd=used.qdd if accelerations else None)
+    joints, saturated = content(
+        grid, smooth, robot, moves=moves, torque_step=steps[1], torque_noise=floor, flags=flags
+    )
+    if (np.ptp(grid.log.q, axis=0) <= motions(robot, limits.LEAST_ANGLE)).all():
         flags.append(Flag("at_rest", "q", (), "the arm stands still: only contacts and a constant load show"))
     length = sum(part.stop - part.start for part in grid.segments) * grid.period
-    if 1 / grid.period < SLOW_RATE:
-        text = (
-            f"{1 / grid.period:.4g} samples a second: too few for effects at reversals, delay and elasticity"
-        )
+    if 1 / grid.period < limits.SLOW_RATE:
+        text = f"{1 / grid.period:.4g} samples a second: too few for effects at reversals, delay, elasticity"
         flags.append(Flag("slow_sampling", "t", (), text))
-    if length < SHORT_LOG:
+    if length < limits.SHORT_LOG:
         flags.append(Flag("short", "t", (), f"{length:.3g} s of motion: too little to be sure of much"))
     return Gate(used, grid.segments, grid.period, grid.rows(), saturated, still, joints, tuple(flags))
 
 
 def resting(
-    q: Floats,
-    segments: Sequence[slice],
-    period: float,
-    *,
-    noise: Floats,
-    steps: Floats,
-    revolute: Sequence[bool],
+    q: Floats, segments: Sequence[slice], period: float, *, noise: Floats, steps: Floats, slow: Floats
 ) -> Mask:
-    """Where [K, n] joints with positions ``q`` [K, n] stand still, for :data:`REST_TIME` at least, so that a
-    reversal is no rest: stiction holds them there with any torque within its level.
+    """Where [K, n] joints with positions ``q`` [K, n] stand still, for :data:`.limits.REST_TIME` at least, so
+    that a reversal is no rest: stiction holds them there with any torque within its level.
 
-    ``noise``, ``steps`` [n]: the standard deviation of the positions' noise, and the step of their encoders.
+    ``noise``, ``steps`` [n]: the standard deviation of the positions' noise, and the step of their encoders;
+    ``slow`` [n]: what stands still whatever its top speed.
     """
-    reach = max(SMOOTHING_LEAST // 2, round(SMOOTHING_REACH / (2 * period)))
-    least = max(3, round(REST_TIME / period))
+    reach = max(limits.SMOOTHING_LEAST // 2, round(limits.SMOOTHING_REACH / (2 * period)))
+    least = max(3, round(limits.REST_TIME / period))
     speed = np.zeros_like(q)
     for part in segments:
         x = q[part]
@@ -188,21 +172,10 @@ def resting(
         before, after = np.maximum(places - reach, 0), np.minimum(places + reach, len(x) - 1)
         speed[part] = np.abs(x[after] - x[before]) / (np.maximum(after - before, 1)[:, None] * period)
     top = np.quantile(speed[:: max(1, len(speed) // 20_000)], 0.99, axis=0)
-    slow = np.where(revolute, REST_SPEED, REST_WAY)
     # A step of the encoder in the window looks like a speed, and so does noise at both of its ends.
-    unsure = (1.01 * steps + REST_NOISE * np.sqrt(2) * noise) / (2 * reach * period)
-    still = speed < np.maximum(np.maximum(STILL_SPEED * top, slow), unsure)
-    result: Mask = np.zeros(q.shape, dtype=bool)
+    unsure = (1.01 * steps + limits.REST_NOISE * np.sqrt(2) * noise) / (2 * reach * period)
+    still = speed < np.maximum(np.maximum(limits.STILL_SPEED * top, slow), unsure)
     for part in segments:
         for j in range(q.shape[1]):
-            result[part, j] = _long(still[part, j], least)
-    return result
-
-
-def _long(still: Mask, least: int) -> Mask:
-    """Runs of ``still`` [K] of ``least`` samples or more."""
-    edges = np.flatnonzero(np.diff(np.r_[0, still.astype(np.int8), 0]))
-    result: Mask = np.zeros(len(still), dtype=bool)
-    for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        result[a:b] = b - a >= least
-    return result
+            still[part, j] = long_runs(still[part, j], least)
+    return np.asarray(still)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from robodyn.gate import limits
 from robodyn.gate.flag import Flag, Floats, Rows, Span, span, spans_of
-from robodyn.gate.limits import FAST_RATE, MOVING_SHARE, WINDOWS
 from robodyn.gate.rows import Usable
 from robodyn.logs.log import Log
 from robodyn.logs.signals import thinning
@@ -44,7 +44,12 @@ class Grid:
 
 
 def on_grid(
-    log: Log, rows: Usable, most: int, flags: list[Flag], windows: int = WINDOWS, thinned: int | None = None
+    log: Log,
+    rows: Usable,
+    most: int,
+    flags: list[Flag],
+    windows: int = limits.WINDOWS,
+    thinned: int | None = None,
 ) -> Grid:
     """The rows of ``log`` that are used: all, or ``most`` of them in ``windows`` spread over the motion, of
     which no more than ``thinned`` are left where they are filtered and thinned."""
@@ -54,8 +59,8 @@ def on_grid(
     parts = rows.parts
     total = sum(b - a for a, b in parts)
     if total > most:
-        if rows.even and 1 / period > FAST_RATE:
-            stride = min(int(2 / (FAST_RATE * period)), total // most)
+        if rows.even and 1 / period > limits.FAST_RATE:
+            stride = min(int(2 / (limits.FAST_RATE * period)), total // most)
         parts = _windows(log, rows, most * stride, windows)
         kept = sum(b - a for a, b in parts)
         spans = tuple(span(int(index[a]), int(index[b - 1]), log.t) for a, b in parts)
@@ -63,18 +68,12 @@ def on_grid(
         text += f", {stride} averaged to one" if stride > 1 else ""
         flags.append(Flag("cut_down", "all", spans, text))
     whole = rows.even and stride == 1 and len(index) == log.samples and parts == ((0, log.samples),)
-    groups: dict[str, Floats | None] = {
-        "q": log.q,
-        "qd": log.qd if rows.rates else None,
-        "qdd": log.qdd if rows.accelerations else None,
-        "tau": log.tau,
-        "ql": log.ql,
-    }
+    log = replace(log, qd=log.qd if rows.rates else None, qdd=log.qdd if rows.accelerations else None)
     origins = tuple(index[a:b] for a, b in parts)
     if whole:
-        t = log.t[0] + period * np.arange(log.samples)
-        result = Log(t, log.q, groups["qd"], groups["qdd"], log.tau, log.provenance, log.ignored, log.ql)
+        result = replace(log, t=log.t[0] + period * np.arange(log.samples))
         return Grid(result, log.t, (slice(0, log.samples),), origins, period, 1)
+    groups = {name: getattr(log, name) for name in ("q", "qd", "qdd", "tau", "ql")}
     resampled: dict[str, list[Floats]] = {name: [] for name, array in groups.items() if array is not None}
     times, segments, start = [], [], 0
     for a, b in parts:
@@ -83,17 +82,14 @@ def on_grid(
         length = b - a if rows.even else int(np.floor((t[-1] - t[0]) / period + 1e-6)) + 1
         grid = t[0] + period * np.arange(length)
         for name, pieces in resampled.items():
-            values = groups[name][own]  # type: ignore[index]
+            values = groups[name][own]
             values = values if rows.even else _interpolated(t, values, grid)
             pieces.append(_averaged(values, stride))
         times.append(_averaged(grid, stride))
         segments.append(slice(start, start + len(times[-1])))
         start = segments[-1].stop
     arrays = {name: np.concatenate(pieces) for name, pieces in resampled.items()}
-    result = Log(
-        np.concatenate(times), arrays["q"], arrays.get("qd"), arrays.get("qdd"), arrays["tau"],
-        log.provenance, log.ignored, arrays.get("ql"),
-    )  # fmt: skip
+    result = replace(log, t=np.concatenate(times), **arrays)  # type: ignore[arg-type]
     return Grid(result, log.t, tuple(segments), origins, period * stride, stride)
 
 
@@ -111,7 +107,9 @@ def _windows(log: Log, rows: Usable, most: int, count: int) -> tuple[tuple[int, 
         reach.append(some.max(axis=0) - some.min(axis=0))
     largest = np.max(reach, axis=0)
     share = (np.array(reach) / np.where(largest > 0, largest, 1)).max(axis=1)
-    moving = [w for w, s in zip(windows, share.tolist(), strict=True) if s >= MOVING_SHARE * share.max()]
+    moving = [
+        w for w, s in zip(windows, share.tolist(), strict=True) if s >= limits.MOVING_SHARE * share.max()
+    ]
     lengths = [b - a for a, b in moving]
     if sum(lengths) <= most:
         return tuple(moving)
@@ -129,8 +127,6 @@ def _windows(log: Log, rows: Usable, most: int, count: int) -> tuple[tuple[int, 
 
 
 def _averaged(x: Floats, stride: int) -> Floats:
-    if stride == 1:
-        return x
     whole = len(x) // stride * stride
     mean: Floats = x[:whole].reshape(whole // stride, stride, *x.shape[1:]).mean(axis=1)
     return mean

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.gate import limits
 from robodyn.gate.flag import Flag, chunks, count, refuse, spans_of
-from robodyn.gate.limits import BOUNDS, GARBAGE_SHARE, LINK_MOTION, LINK_SLOPE
 from robodyn.logs.log import Log
 
 Mask = NDArray[np.bool_]
@@ -22,9 +22,9 @@ def with_usable_links(log: Log, flags: list[Flag]) -> Log:
     for j in log.linked:
         broken = _broken(log, j)
         share = float(broken.mean())
-        if share > GARBAGE_SHARE:
+        if share > limits.BROKEN_SHARE:
             drop.append(j)
-            text = f"missing or beyond {BOUNDS['ql']:g} in {share:.0%} of the rows: the encoder is not used"
+            text = f"missing or beyond {limits.BOUNDS['ql']:g} in {share:.0%} of the rows: not used"
             spans = spans_of(np.flatnonzero(broken), log.t)
             flags.append(Flag("link_encoder_unusable", f"ql{j + 1}", spans, text, (j + 1,)))
     if not drop:
@@ -41,14 +41,14 @@ def links_garbage(log: Log, flags: list[Flag]) -> Mask:
         broken = _broken(log, j)
         if broken.any():
             rows = count(int(broken.sum()))
-            text = f"missing or beyond {BOUNDS['ql']:g} in {rows}, left out"
+            text = f"missing or beyond {limits.BOUNDS['ql']:g} in {rows}, left out"
             spans = spans_of(np.flatnonzero(broken), log.t)
             flags.append(Flag("garbage", f"ql{j + 1}", spans, text, (j + 1,)))
             bad |= broken
     return bad
 
 
-def check_links(log: Log, source: str | None) -> None:
+def check_links(log: Log) -> None:
     """Refuse link encoders that do not follow their joints.
 
     Raises
@@ -60,15 +60,14 @@ def check_links(log: Log, source: str | None) -> None:
     for j in log.linked:
         q = log.q[:, j] - log.q[:, j].mean()
         ql = log.ql[:, j] - log.ql[:, j].mean()
-        if np.ptp(q) < LINK_MOTION:
+        if np.ptp(q) < limits.LEVER * limits.LEAST_ANGLE:
             continue
         slope = float(q @ ql / (q @ q))
-        if abs(slope - 1) > LINK_SLOPE:
+        if abs(slope - 1) > limits.LINK_SLOPE:
             refuse(
-                source,
                 f"ql{j + 1} does not follow q{j + 1}",
                 found=f"it moves {slope:.3g} times as far",
-                expected=f"1, within {LINK_SLOPE:.0%}: both measure the same joint",
+                expected=f"1, within {limits.LINK_SLOPE:.0%}: both measure the same joint",
                 remedy="correct its unit or sign, or give the column of the right joint",
             )
 
@@ -77,5 +76,5 @@ def _broken(log: Log, j: int) -> Mask:
     assert log.ql is not None
     broken = np.zeros(log.samples, dtype=bool)
     for rows in chunks(log.samples):
-        broken[rows] = ~(np.abs(log.ql[rows, j]) <= BOUNDS["ql"])
+        broken[rows] = ~(np.abs(log.ql[rows, j]) <= limits.BOUNDS["ql"])
     return broken

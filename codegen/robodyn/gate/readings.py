@@ -1,153 +1,138 @@
-"""Other readings of a log: in other units, with other signs, in another order of the joints."""
+"""Other readings of a log: in other units, with other signs, zeros and gains, in another order, later."""
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
+from robodyn.gate import limits
 from robodyn.gate.flag import Floats, named
-from robodyn.gate.likeness import Likeness, Trial
-from robodyn.gate.limits import BEYOND_LIMITS, FAR, TURNS
-from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import Robot
-
-Model = Callable[[Floats, Floats, Floats], Floats]
 
 
 @dataclass(frozen=True, slots=True)
-class Change:
-    """Another reading: what is wrong if it is right, and the remedy. Positions and their rates are taken in
-    the ``order`` and times the ``scale`` [n], torques in the ``tau_order`` and times the ``tau_sign`` [n]."""
+class Reading:
+    """What is wrong if it is right; as logged by default. A log is refused where a reading with a ``remedy``
+    is right: what has a number, or may be an effect, has none.
 
-    kind: str
-    joints: tuple[int, ...]
-    where: str
-    text: str
-    remedy: str
-    scale: tuple[float, ...] | None = None
-    order: tuple[int, ...] | None = None
-    tau_sign: tuple[float, ...] | None = None
-    tau_order: tuple[int, ...] | None = None
+    Positions are taken in the ``order`` [n], times the ``scale`` [n], less the ``zero`` [n]; torques ``late``
+    [s], in the ``tau_order`` and times ``tau_scale`` [n]. ``gravity``: the torque has all of
+    it, what a controller with the description leaves of it, or none; ``looseness``: so
+    many times less sure is the description than it says.
+    """
 
-    def of(self, trial: Trial, model: Model, torque: Floats) -> tuple[Trial, Floats]:
-        """The trial in that reading, and the torque of the model for it (``torque``, if its states stay)."""
-        tau = trial.tau
-        if self.tau_order is not None:
-            tau = tau[:, list(self.tau_order)]
-        if self.tau_sign is not None:
-            tau = tau * np.array(self.tau_sign)
-        states = [trial.q, trial.qd, trial.qdd]
-        if self.order is not None:
-            states = [x[:, list(self.order)] for x in states]
-        if self.scale is not None:
-            states = [x * np.array(self.scale) for x in states]
-        changed = Trial(states[0], states[1], states[2], tau)
-        if self.order is None and self.scale is None:
-            return changed, torque
-        return changed, model(changed.q, changed.qd, changed.qdd)
+    order: tuple[int, ...]
+    tau_order: tuple[int, ...]
+    scale: tuple[float, ...]
+    zero: tuple[float, ...]
+    tau_scale: tuple[float, ...]
+    late: float = 0.0
+    gravity: Literal["whole", "error", "none"] = "whole"
+    looseness: float = 1.0
+    kind: str = "logged"
+    joints: tuple[int, ...] = ()
+    where: str = ""
+    text: str = ""
+    remedy: str = ""
+
+    def by_channel(self, x: Floats) -> Floats:
+        """Of ``x`` [n, ...] by the model's joints that by torque channels."""
+        back = np.empty_like(x)
+        back[list(self.tau_order)] = x
+        return back
 
 
-def units(robot: Robot, smooth: Smooth) -> Iterator[Change]:
-    """Readings in other units, of positions that are too large for those of SI."""
-    revolute = [link.joint.kind == "revolute" for link in robot.links]
-    largest = np.abs(smooth.q[smooth.inside]).max(axis=0)
-    for kind, text, remedy, factor, of_kind, usual in (
-        (
-            "degrees",
-            "degrees for radians",
-            "multiply {} (and the rates) by pi/180",
-            math.radians(1),
-            True,
-            TURNS,
-        ),
-        ("millimetres", "millimetres for metres", "divide {} (and the rates) by 1000", 1e-3, False, FAR),
+def as_logged(n: int) -> Reading:
+    """The reading of a log of ``n`` joints as it stands."""
+    order = tuple(range(n))
+    return Reading(order, order, (1.0,) * n, (0.0,) * n, (1.0,) * n)
+
+
+def readings(robot: Robot, largest: Floats, base: Reading) -> Iterator[Reading]:
+    """Readings in other units, with other signs and in another order, of positions that reach ``largest``
+    [n], beside what ``base`` says already of zeros, gains, lateness and gravity."""
+    yield from _units(robot, largest, base)
+    yield from _signs(robot.n, base)
+    yield from _orders(robot.n, base)
+
+
+def _units(robot: Robot, largest: Floats, base: Reading) -> Iterator[Reading]:
+    for kind, unit, remedy, factor, of_kind in (
+        ("degrees", "radians", "multiply {} (and the rates) by pi/180", math.radians(1), "revolute"),
+        ("millimetres", "metres", "divide {} (and the rates) by 1000", 1e-3, "prismatic"),
     ):
-        joints = [j for j in range(robot.n) if revolute[j] == of_kind]
-        beyond = []
-        for j in joints:
-            limits = robot.links[j].joint.limits.position
-            end = max(abs(float(x)) for x in limits) if limits else usual
-            if largest[j] > BEYOND_LIMITS * end:
-                beyond.append(j)
+        joints = [link.joint for link in robot.links]
+        ends = [max(map(abs, map(float, one.limits.position or (limits.FAR, limits.FAR)))) for one in joints]
+        own = tuple(j + 1 for j in range(robot.n) if joints[j].kind == of_kind)
+        beyond = [(j,) for j in own if largest[j - 1] > limits.BEYOND_LIMITS * ends[j - 1]]
         # All that are of the kind, or one that is beyond alone.
-        for some in {tuple(joints), *((j,) for j in beyond)} if beyond else ():
-            numbers = tuple(j + 1 for j in some)
-            scale = tuple(factor if j in some else 1.0 for j in range(robot.n))
-            where = named("q", numbers)
-            yield Change(kind, numbers, where, text, remedy.format(where), scale=scale)
+        for some in {own, *beyond} if beyond else ():
+            scale = tuple(factor if j + 1 in some else 1.0 for j in range(robot.n))
+            where = named("q", some)
+            yield replace(
+                base, kind=kind, joints=some, where=where, text=f"{kind} for {unit}",
+                remedy=remedy.format(where), scale=scale,
+            )  # fmt: skip
 
 
-def reversed_order(robot: Robot) -> Iterator[Change]:
-    """The reading in which the joints are numbered from the tip."""
-    order = tuple(range(robot.n - 1, -1, -1))
-    if robot.n > 3:  # of three, it is two that are swapped
-        yield Change(
-            "reversed", tuple(j + 1 for j in order), "q, tau", "the joints are in the reverse order",
-            f"number them from the base{_map(q=order, tau=order)}", order=order, tau_order=order,
-        )  # fmt: skip
+def _signs(n: int, base: Reading) -> Iterator[Reading]:
+    everyone = tuple(range(1, n + 1))
+    for joints in dict.fromkeys([everyone, *((j,) for j in everyone)]):
+        sign = tuple(-1.0 if j in joints else 1.0 for j in everyone)
+        tau, q = named("tau", joints), named("q", joints)
+        of = "all {}s" if len(joints) > 1 else "the {}"
+        turned = "all joints turn" if len(joints) > 1 else "the joint turns"
+        for where, text, rates, groups in (
+            (tau, f"the sign of {of.format('torque')} is flipped", "", ("tau",)),
+            (q, f"the sign of {of.format('position')} is flipped", " and its rates", ("q",)),
+            (f"{q}, {tau}", f"{turned} the other way than the model's", " and the rates", ("q", "tau")),
+        ):
+            gains = tuple(a * b for a, b in zip(sign, base.tau_scale, strict=True))
+            yield replace(
+                base, kind="sign", joints=joints, where=where, text=text,
+                remedy=f"change the sign of {where}{rates}{_map(groups, sign)}",
+                scale=sign if "q" in groups else base.scale,
+                tau_scale=gains if "tau" in groups else base.tau_scale,
+            )  # fmt: skip
 
 
-def _map(**groups: tuple[float, ...]) -> str:
+def _orders(n: int, base: Reading) -> Iterator[Reading]:
+    for i, j in itertools.combinations(range(n), 2):
+        order = list(range(n))
+        order[i], order[j] = j, i
+        pair = (i + 1, j + 1)
+        for groups, where, columns in (
+            (("q",), named("q", pair), "the columns"),
+            (("tau",), named("tau", pair), "the columns"),
+            (("q", "tau"), f"joints {i + 1} and {j + 1}", "all columns of"),
+        ):
+            one = replace(base, joints=pair, where=where, text="swapped", remedy=f"swap {columns} {where}")
+            yield _reordered(one, order, groups)
+    if n > 3:  # of three, it is two that are swapped
+        text, remedy = "the joints are in the reverse order", "number them from the base"
+        one = replace(base, joints=tuple(range(1, n + 1)), where="q, tau", text=text, remedy=remedy)
+        yield _reordered(one, list(range(n - 1, -1, -1)), ("q", "tau"))
+
+
+def _reordered(one: Reading, order: list[int], groups: tuple[str, ...]) -> Reading:
+    return replace(
+        one, kind="order", remedy=one.remedy + _map(groups, order),
+        order=tuple(order) if "q" in groups else one.order,
+        tau_order=tuple(order) if "tau" in groups else one.tau_order,
+    )  # fmt: skip
+
+
+def _map(groups: Sequence[str], values: Sequence[float]) -> str:
     """How a map of columns (--map) says so: signs, which are +-1 and floats, or the order, which are ints."""
     lines = []
-    for group, values in groups.items():
+    for group in groups:
+        columns, sign = f"{group}%d", f", sign: [{', '.join(f'{x:g}' for x in values)}]"
         if all(isinstance(x, int) for x in values):
-            columns = ", ".join(f"{group}{int(j) + 1}" for j in values)
-            lines.append(f"{group}: {{columns: [{columns}]}}")
-        else:
-            lines.append(f"{group}: {{columns: {group}%d, sign: [{', '.join(f'{x:g}' for x in values)}]}}")
+            columns, sign = f"[{', '.join(f'{group}{int(j) + 1}' for j in values)}]", ""
+        lines.append(f"{group}: {{columns: {columns}{sign}}}")
     return f" (with --map, in a file: {' and '.join(lines)})"
-
-
-def _exchange(group: str, where: str, order: tuple[int, ...]) -> str:
-    if group == "all":
-        return f"swap all columns of {where}{_map(q=order, tau=order)}"
-    return f"swap the columns {where}{_map(**{group: order})}"
-
-
-def signs_and_order(robot: Robot, fit: Likeness) -> Iterator[Change]:
-    """Readings with other signs and in another order."""
-    n = robot.n
-    unlike = [j for j in range(n) if not fit.unexplained[j] < 0.5]
-    everyone = tuple(range(1, n + 1))
-    minus = tuple(-1.0 for _ in everyone)
-    for where, groups, text, scale, sign in (
-        (named("tau", everyone), "torques", "the sign of all torques is flipped", None, minus),
-        (named("q", everyone), "positions and rates", "the sign of all positions is flipped", minus, None),
-        ("q, tau", "columns but t", "all joints turn the other way than the model's", minus, minus),
-    ):
-        remedy = f"change the sign of all {groups}"
-        yield Change("sign", everyone, where, text, remedy, scale=scale, tau_sign=sign)
-    for j in everyone:
-        one = tuple(-1.0 if k == j else 1.0 for k in everyone)
-        if j - 1 in unlike:
-            yield Change(
-                "sign", (j,), f"tau{j}", "the sign of the torque is flipped",
-                f"change the sign of tau{j}{_map(tau=one)}", tau_sign=one,
-            )  # fmt: skip
-        yield Change(
-            "sign", (j,), f"q{j}", "the sign of the position is flipped",
-            f"change the sign of q{j} and its rates{_map(q=one)}", scale=one,
-        )  # fmt: skip
-        yield Change(
-            "sign", (j,), f"q{j}, tau{j}", "the joint turns the other way than the model's",
-            f"change the signs of q{j}, its rates and tau{j}{_map(q=one, tau=one)}", scale=one, tau_sign=one,
-        )  # fmt: skip
-    for i in range(n):
-        for j in range(i):
-            order = list(range(n))
-            order[i], order[j] = j, i
-            both = (j + 1, i + 1)
-            for group, where in (
-                ("tau", named("tau", both)),
-                ("q", named("q", both)),
-                ("all", f"joints {both[0]} and {both[1]}"),
-            ):
-                yield Change(
-                    "order", both, where, "swapped", _exchange(group, where, tuple(order)),
-                    order=tuple(order) if group != "tau" else None,
-                    tau_order=tuple(order) if group != "q" else None,
-                )  # fmt: skip

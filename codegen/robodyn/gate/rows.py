@@ -11,18 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from robodyn.gate.flag import Flag, Floats, Rows, chunks, count, refuse, span, spans_of
-from robodyn.gate.limits import (
-    BOUNDS,
-    FEWEST_ROWS,
-    FILLED_ROWS,
-    FILLED_TIME,
-    FRAGMENT_ROWS,
-    GARBAGE_SHARE,
-    LOST_SHARE,
-    REPEATED_SHARE,
-    SLOWEST_PERIOD,
-)
+from robodyn.gate import limits
+from robodyn.gate.flag import Flag, Floats, Rows, chunks, count, named, refuse, span, spans_of
 from robodyn.gate.links import links_garbage
 from robodyn.gate.spikes import without_held, without_spikes
 from robodyn.logs.limits import FASTEST_RATE
@@ -44,7 +34,7 @@ class Usable:
     accelerations: bool
 
 
-def usable(log: Log, source: str | None, flags: list[Flag], repeats: Mask | None = None) -> Usable:
+def usable(log: Log, flags: list[Flag], repeats: Mask | None = None) -> Usable:
     """The rows of ``log`` that can be used, but for the ``repeats`` [K]; what is wrong with others goes to
     ``flags``.
 
@@ -52,26 +42,25 @@ def usable(log: Log, source: str | None, flags: list[Flag], repeats: Mask | None
     ------
     InputError: too many rows are garbage, times run backwards or repeat, or too few samples are left.
     """
-    if log.samples < FEWEST_ROWS:
+    if log.samples < limits.FEWEST_ROWS:
         refuse(
-            source,
             "the log is too short to diagnose",
             found=f"{log.samples} rows",
-            expected=f"{FEWEST_ROWS} rows or more, some seconds of motion",
+            expected=f"{limits.FEWEST_ROWS} rows or more, some seconds of motion",
             remedy="record a longer motion",
         )
-    bad, rates, accelerations = _garbage(log, source, flags)
+    bad, rates, accelerations = _garbage(log, flags)
     index = np.flatnonzero(~bad if repeats is None else ~(bad | repeats))
-    index = _ordered(log, index, source, flags)
+    index = _ordered(log, index, flags)
     index = without_spikes(log, index, flags)
     index = without_held(log, index, flags)
-    return _parts(log, index, source, flags, rates=rates, accelerations=accelerations)
+    return _parts(log, index, flags, rates=rates, accelerations=accelerations)
 
 
 # --- numbers that are none --------------------------------------------------------------------------------
 
 
-def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, bool, bool]:
+def _garbage(log: Log, flags: list[Flag]) -> tuple[Mask, bool, bool]:
     """Rows with a number that is none or absurd, and whether each of the rates can be used."""
     bad = np.zeros(log.samples, dtype=bool)
     usable_rates = {"qd": log.qd is not None, "qdd": log.qdd is not None}
@@ -83,45 +72,45 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
         garbage = np.zeros(log.samples, dtype=bool)
         counts = np.zeros(table.shape[1], dtype=np.int64)
         for rows in chunks(log.samples):
-            wrong = ~(np.abs(table[rows]) <= BOUNDS[name])
+            wrong = ~(np.abs(table[rows]) <= limits.BOUNDS[name])
             counts += wrong.sum(axis=0)
             garbage[rows] = wrong.any(axis=1)
         share = counts.max() / log.samples
-        if share > GARBAGE_SHARE:
+        if share > limits.BROKEN_SHARE:
             j = int(counts.argmax())
             column = name if name == "t" else f"{name}{j + 1}"
             if name in usable_rates:
                 usable_rates[name] = False
-                text = f"no number, or one beyond {BOUNDS[name]:g}, in {share:.0%} of the rows: not used"
+                text = (
+                    f"no number, or one beyond {limits.BOUNDS[name]:g}, in {share:.0%} of the rows: not used"
+                )
                 flags.append(Flag("rates_unusable", column, spans_of(np.flatnonzero(garbage), log.t), text))
                 continue
-            first = int(np.argmax(~(np.abs(table[:, j]) <= BOUNDS[name])))
+            first = int(np.argmax(~(np.abs(table[:, j]) <= limits.BOUNDS[name])))
             value = f"{table[first, j]:g}" if np.isfinite(table[first, j]) else "none"
             unit = {"t": "s", "q": "rad or m", "tau": "N m or N"}[name]
             refuse(
-                source,
                 f"{column} cannot be used",
-                found=f"no number or one beyond {BOUNDS[name]:g} in {share:.1%} of the rows, first "
+                found=f"no number or one beyond {limits.BOUNDS[name]:g} in {share:.1%} of the rows, first "
                 f"{value} in {span(first, first, log.t)}",
-                expected=f"numbers in {unit}, at most {GARBAGE_SHARE:.0%} of the rows broken",
+                expected=f"numbers in {unit}, at most {limits.BROKEN_SHARE:.0%} of the rows broken",
                 remedy="record it again, or convert its unit",
             )
         if garbage.any():
-            where = ", ".join(
-                name if name == "t" else f"{name}{j + 1}" for j in np.flatnonzero(counts).tolist()
+            joints = () if name == "t" else tuple(j + 1 for j in np.flatnonzero(counts).tolist())
+            where = named(name, joints) or name
+            text = (
+                f"no number, or one beyond {limits.BOUNDS[name]:g}, in {count(int(garbage.sum()))}, left out"
             )
-            text = f"no number, or one beyond {BOUNDS[name]:g}, in {count(int(garbage.sum()))}, left out"
-            joints = () if name == "t" else tuple(int(j) + 1 for j in np.flatnonzero(counts))
             flags.append(Flag("garbage", where, spans_of(np.flatnonzero(garbage), log.t), text, joints))
         bad |= garbage
     bad |= links_garbage(log, flags)
-    if bad.mean() > GARBAGE_SHARE:
+    if bad.mean() > limits.BROKEN_SHARE:
         first = int(np.argmax(bad))
         refuse(
-            source,
             "too many rows are garbage",
             found=f"{bad.mean():.1%} of the rows, first {span(first, first, log.t)}",
-            expected=f"at most {GARBAGE_SHARE:.0%}",
+            expected=f"at most {limits.BROKEN_SHARE:.0%}",
             remedy="record it again, or take a part that is sound",
         )
     return bad, usable_rates["qd"], usable_rates["qdd"]
@@ -130,19 +119,18 @@ def _garbage(log: Log, source: str | None, flags: list[Flag]) -> tuple[Mask, boo
 # --- order of the rows ------------------------------------------------------------------------------------
 
 
-def _ordered(log: Log, index: Rows, source: str | None, flags: list[Flag]) -> Rows:
+def _ordered(log: Log, index: Rows, flags: list[Flag]) -> Rows:
     """``index`` without rows that repeat a time, or whose time stands alone out of order."""
-    index = _without_strays(log, index, source, flags)
+    index = _without_strays(log, index, flags)
     again = np.flatnonzero(np.diff(log.t[index]) == 0) + 1
     if not len(again):
         return index
     rows, before = index[again], index[again - 1]
     same = (log.q[rows] == log.q[before]).all(axis=1) & (log.tau[rows] == log.tau[before]).all(axis=1)
     other = rows[~same]
-    if len(other) > REPEATED_SHARE * len(index):
+    if len(other) > limits.REPEATED_SHARE * len(index):
         first = int(other[0])
         refuse(
-            source,
             "times repeat with other values",
             found=f"{len(other)} of {len(index)} rows, first {span(first, first, log.t)}",
             expected="times that increase",
@@ -157,17 +145,17 @@ def _ordered(log: Log, index: Rows, source: str | None, flags: list[Flag]) -> Ro
     return np.delete(index, again)
 
 
-def _without_strays(log: Log, index: Rows, source: str | None, flags: list[Flag]) -> Rows:
+def _without_strays(log: Log, index: Rows, flags: list[Flag]) -> Rows:
     """``index`` without rows whose time is out of order between others that are in order."""
     strays: list[int] = []
-    most = GARBAGE_SHARE * len(index)
+    most = limits.BROKEN_SHARE * len(index)
     while True:
         t = log.t[index]
         back = np.flatnonzero(np.diff(t) < 0) + 1
         if not len(back):
             break
         if len(strays) + len(back) > most:
-            _backwards(log, index, back, source)
+            _backwards(log, index, back)
         drop = []
         for k in back.tolist():
             late = k < 2 or t[k - 2] < t[k]
@@ -177,7 +165,7 @@ def _without_strays(log: Log, index: Rows, source: str | None, flags: list[Flag]
                 late = k >= 2 and any(t[k - m] < t[k] for m in range(3, min(k, 6) + 1))
                 early = any(t[k + m] > t[k - 1] for m in range(2, min(len(t) - k, 6)))
             if not late and not early:
-                _backwards(log, index, back, source)
+                _backwards(log, index, back)
             drop.append(k if early else k - 1)
         strays += index[drop].tolist()
         index = np.delete(index, drop)
@@ -188,10 +176,9 @@ def _without_strays(log: Log, index: Rows, source: str | None, flags: list[Flag]
     return index
 
 
-def _backwards(log: Log, index: Rows, back: Rows, source: str | None) -> None:
+def _backwards(log: Log, index: Rows, back: Rows) -> None:
     k = int(back[0])
     refuse(
-        source,
         "time runs backwards",
         found=f"t = {log.t[index[k]]:.6g} s in row {index[k] + 1} after {log.t[index[k - 1]]:.6g} s"
         + (f", and {len(back) - 1} times more" if len(back) > 1 else ""),
@@ -203,23 +190,19 @@ def _backwards(log: Log, index: Rows, back: Rows, source: str | None) -> None:
 # --- period and gaps --------------------------------------------------------------------------------------
 
 
-def _parts(
-    log: Log, index: Rows, source: str | None, flags: list[Flag], *, rates: bool, accelerations: bool
-) -> Usable:
+def _parts(log: Log, index: Rows, flags: list[Flag], *, rates: bool, accelerations: bool) -> Usable:
     t = log.t[index]
     steps = np.diff(t)
     middle = float(np.median(steps)) if len(steps) else np.inf
-    if not middle <= SLOWEST_PERIOD:
+    if not middle <= limits.SLOWEST_PERIOD:
         refuse(
-            source,
             "the samples are too far apart to show dynamics",
             found=f"{middle:.6g} s from row to row",
-            expected=f"t in s, a row each {SLOWEST_PERIOD:g} s or oftener",
+            expected=f"t in s, a row each {limits.SLOWEST_PERIOD:g} s or oftener",
             remedy="write t in seconds, or record faster",
         )
     if middle < 1 / FASTEST_RATE:
         refuse(
-            source,
             "the samples are too close together for a time in seconds",
             found=f"{middle:.6g} s from row to row",
             expected=f"t in s, {FASTEST_RATE:g} rows a second at most",
@@ -230,10 +213,12 @@ def _parts(
     near = regular if steady else steps < 5 * middle
     period = float(steps[near].mean())
     missing = (
-        np.rint(steps / period - LOST_SHARE) if steady else np.where(steps > 10 * period, steps / period, 0)
+        np.rint(steps / period - limits.LOST_SHARE)
+        if steady
+        else np.where(steps > 10 * period, steps / period, 0)
     )
     gaps = np.flatnonzero(missing >= 1)
-    filled = (missing[gaps] <= FILLED_ROWS) | (steps[gaps] <= FILLED_TIME)
+    filled = (missing[gaps] <= limits.FILLED_ROWS) | (steps[gaps] <= limits.FILLED_TIME)
     for kind, places, text in (
         ("missing", gaps[filled], "{} missing in all, filled in"),
         ("gap", gaps[~filled], "{} missing in all: the log is cut there"),
@@ -246,22 +231,23 @@ def _parts(
     cuts = sorted({*(gaps[~filled] + 1).tolist(), *np.searchsorted(index, sorted(jumps)).tolist()})
     edges = [0, *cuts, len(index)]
     all_parts = [(a, b) for a, b in itertools.pairwise(edges) if b > a]
-    parts = tuple((a, b) for a, b in all_parts if b - a >= FRAGMENT_ROWS)
-    short = [span(int(index[a]), int(index[b - 1]), log.t) for a, b in all_parts if b - a < FRAGMENT_ROWS]
+    parts = tuple((a, b) for a, b in all_parts if b - a >= limits.FRAGMENT_ROWS)
+    short = [
+        span(int(index[a]), int(index[b - 1]), log.t) for a, b in all_parts if b - a < limits.FRAGMENT_ROWS
+    ]
     if short:
         flags.append(Flag("fragment", "t", tuple(short[:100]), "too short between gaps, left out"))
     left = sum(b - a for a, b in parts)
-    if left < FEWEST_ROWS:
+    if left < limits.FEWEST_ROWS:
         refuse(
-            source,
             "too little of the log can be used",
-            found=f"{left} of {log.samples} rows in pieces of {FRAGMENT_ROWS} or more",
-            expected=f"{FEWEST_ROWS} rows or more",
+            found=f"{left} of {log.samples} rows in pieces of {limits.FRAGMENT_ROWS} or more",
+            expected=f"{limits.FEWEST_ROWS} rows or more",
             remedy="record a longer motion, without gaps",
         )
     even = not (len(gaps) and filled.any()) and _even(t, period, parts)
     if not even:
-        off = np.abs(steps[steps < (LOST_SHARE + 0.5) * period] / period - 1)
+        off = np.abs(steps[steps < (limits.LOST_SHARE + 0.5) * period] / period - 1)
         worst = float(np.quantile(off, 0.99)) if len(off) else 1.0
         if worst > 0.02 or not steady:
             rows = np.flatnonzero(np.abs(steps / period - 1) > 0.5 * worst)[:100] + 1

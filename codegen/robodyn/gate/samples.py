@@ -9,19 +9,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.gate import limits
 from robodyn.gate.flag import Flag, Floats, chunks, count, named, spans_of
-from robodyn.gate.limits import (
-    CONSTANT_TIME,
-    FEWEST_REPEATS,
-    MOST_REPEATS,
-    REPEAT_EVENLY,
-    REPEAT_SPEED,
-    SMOOTH_SHARE,
-    SPECTRUM_BAND,
-    SPECTRUM_PIECES,
-    TURN_NEAR,
-    UNKNOWN_SHARE,
-)
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
 
@@ -36,10 +25,10 @@ def unwrapped(log: Log, robot: Robot, flags: list[Flag]) -> Log:
             continue
         with np.errstate(invalid="ignore", over="ignore"):
             step = np.diff(log.q[:, j])
-            turns = np.abs(np.abs(step) - 2 * math.pi) < TURN_NEAR
+            turns = np.abs(np.abs(step) - 2 * math.pi) < limits.TURN_NEAR
         rows = np.flatnonzero(turns)
         usual = np.abs(step[np.isfinite(step) & ~turns])
-        if not len(rows) or not len(usual) or np.quantile(usual, 0.99) > TURN_NEAR:
+        if not len(rows) or not len(usual) or np.quantile(usual, 0.99) > limits.TURN_NEAR:
             continue
         if q is log.q:
             q = log.q.copy()
@@ -61,7 +50,7 @@ def fresh(log: Log, flags: list[Flag]) -> tuple[Log, Mask | None]:
     if log.samples < 4 or not (np.diff(log.t) > 0).all():
         return log, None
     same = _same(log)
-    if not FEWEST_REPEATS <= same.sum() <= MOST_REPEATS * len(same):
+    if not limits.FEWEST_REPEATS <= same.sum() <= limits.MOST_REPEATS * len(same):
         return log, None
     step = np.abs(np.diff(log.q, axis=0))
     with np.errstate(invalid="ignore"):
@@ -72,34 +61,28 @@ def fresh(log: Log, flags: list[Flag]) -> tuple[Log, Mask | None]:
     speed = np.where(fine, step / np.where(usual > 0, usual, 1), 0).max(axis=1)
     rows = np.flatnonzero(same)  # row k + 1 repeats row k
     inner = rows[(rows > 0) & (rows < len(same) - 1)]
-    inner = inner[(speed[inner - 1] > REPEAT_SPEED) & (speed[inner + 1] > REPEAT_SPEED)]
-    if len(inner) < FEWEST_REPEATS:
+    inner = inner[(speed[inner - 1] > limits.REPEAT_SPEED) & (speed[inner + 1] > limits.REPEAT_SPEED)]
+    if len(inner) < limits.FEWEST_REPEATS:
         return log, None
     repeats = np.zeros(log.samples, dtype=bool)
-    repeats[inner + 1] = True
     # A slower source shows where the arm hardly moves as well.
     lone = rows[(rows > 0) & (rows < len(same) - 1)]
     lone = lone[~same[lone - 1] & ~same[lone + 1]]
     steps, apart = np.diff(log.t), np.diff(lone)
     even = bool((np.abs(steps / np.median(steps) - 1) < 0.5).all())
-    even = even and len(apart) >= 2 and bool(apart.std() < REPEAT_EVENLY * apart.mean())
-    if even:
-        inner = lone
-        repeats[inner + 1] = True
+    even = even and len(apart) >= 2 and bool(apart.std() < limits.REPEAT_EVENLY * apart.mean())
+    inner, t = lone if even else inner, log.t.copy()
+    repeats[inner + 1] = True
     text = f"{count(len(inner))} the same as the row before in every digit, left out"
     if even:
         kept = np.flatnonzero(~repeats)
-        t = log.t.copy()
         t[kept] = np.linspace(log.t[0], log.t[-1], len(kept))
         t[inner + 1] = (t[inner] + t[inner + 2]) / 2
         period = float((log.t[-1] - log.t[0]) / (len(kept) - 1))
-        late = 1e3 * period
-        text += f", and the others, up to {late:.3g} ms late, spread evenly: their source is slower"
+        text += f", and the others, up to {1e3 * period:.3g} ms late, spread evenly: their source is slower"
         text += f" ({1 / period:.4g} a second)"
-        flags.append(Flag("repeated_rows", "all", spans_of(inner + 1, log.t), text))
-        return replace(log, t=t), repeats
     flags.append(Flag("repeated_rows", "all", spans_of(inner + 1, log.t), text))
-    return log, repeats
+    return replace(log, t=t), repeats
 
 
 def _same(log: Log) -> Mask:
@@ -112,19 +95,6 @@ def _same(log: Log) -> Mask:
     return same
 
 
-def constant(log: Log, flags: list[Flag]) -> None:
-    """A flag on stretches in which no position changes by a digit."""
-    same = np.r_[False, (np.diff(log.q, axis=0) == 0).all(axis=1)].astype(np.int8)
-    edges = np.flatnonzero(np.diff(np.r_[0, same, 0]))
-    rows: list[int] = []
-    for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        if log.t[b - 1] - log.t[a - 1] >= CONSTANT_TIME:
-            rows += range(a - 1, b)
-    if rows:
-        text = f"the same in every digit in {len(rows) / log.samples:.0%} of the samples"
-        flags.append(Flag("constant", "q", spans_of(rows, log.t), text))
-
-
 def floor_of(
     tau: Floats, segments: Sequence[slice], period: float, white: Floats, flags: list[Flag]
 ) -> Floats:
@@ -134,10 +104,10 @@ def floor_of(
     from scipy.signal import periodogram
 
     size = np.array([float(np.std(x)) for x in tau.T])
-    smooth = (white < SMOOTH_SHARE * size) & (size > 0)
+    smooth = (white < limits.SMOOTH_SHARE * size) & (size > 0)
     if not smooth.any():
         return white
-    length = max(part.stop - part.start for part in segments) // SPECTRUM_PIECES
+    length = max(part.stop - part.start for part in segments) // limits.SPECTRUM_PIECES
     if length < 64:
         return white
     powers, f = [], np.fft.rfftfreq(length, period)
@@ -147,13 +117,13 @@ def floor_of(
                 tau[start : start + length], 1 / period, window="hann", detrend="linear", axis=0
             )
             powers.append(power)
-    low, high = (max(share * 0.5 / period, least) for share, least in SPECTRUM_BAND)
+    low, high = (max(share * 0.5 / period, least) for share, least in limits.SPECTRUM_BAND)
     band = (f >= low) & (f <= high)
     # What is above the motion, and as much of its density below.
     spectrum = np.median(powers, axis=0)
     level = np.sqrt(np.median(spectrum[band], axis=0) * low + spectrum[f >= low].sum(axis=0) * f[1])
     # Where nothing is left there either, the noise is not to be had from the torque alone.
-    floor = np.where(smooth, np.maximum(np.maximum(white, level), UNKNOWN_SHARE * size), white)
+    floor = np.where(smooth, np.maximum(np.maximum(white, level), limits.UNKNOWN_SHARE * size), white)
     joints = [j + 1 for j in np.flatnonzero(smooth & (floor > 3 * white)).tolist()]
     if joints:
         own = [j - 1 for j in joints]

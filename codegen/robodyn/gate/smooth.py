@@ -4,59 +4,68 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.gate import limits
 from robodyn.gate.flag import Floats
-from robodyn.gate.limits import SMOOTHING_LEAST, SMOOTHING_REACH
 from robodyn.logs.log import Log
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Smooth:
-    """``q, qd, qdd, tau`` [K, n] from the positions and torques, and the logged rates smoothed alike (None
-    where there are none); ``inside`` [K] are the samples away from the ends of the segments."""
+    """``q, qd, qdd, tau`` [K, n] from the positions and torques, the directions of motion ``way``, and the
+    logged rates, smoothed alike (None where there are none); ``inside`` [K] are the samples away from the
+    ends of the segments and from what is stuck."""
 
     q: Floats
     qd: Floats
     qdd: Floats
     tau: Floats
-    logged_qd: Floats | None
-    logged_qdd: Floats | None
+    way: Floats
     inside: NDArray[np.bool_]
+    logged_qd: Floats | None = None
+    logged_qdd: Floats | None = None
 
 
-def smoothed(log: Log, segments: Sequence[slice], period: float) -> Smooth:
-    """The signals of ``log``, through the same local parabola over :data:`SMOOTHING_REACH`."""
-    window = max(SMOOTHING_LEAST, 2 * round(SMOOTHING_REACH / (2 * period)) + 1)
-    q, qd, qdd, tau = (np.zeros_like(log.q) for _ in range(4))
-    rate = None if log.qd is None else np.zeros_like(log.q)
-    second = None if log.qdd is None else np.zeros_like(log.q)
+def smoothed(log: Log, segments: Sequence[slice], period: float, stuck: NDArray[np.bool_]) -> Smooth:
+    """The signals of ``log``, through the same local parabola over :data:`.limits.SMOOTHING_REACH`, but for
+    where a position is ``stuck`` [K]."""
+    from scipy.ndimage import maximum_filter1d
+
+    window = max(limits.SMOOTHING_LEAST, 2 * round(limits.SMOOTHING_REACH / (2 * period)) + 1)
+    kinds: dict[str, Any] = {
+        "q": (log.q, 0), "qd": (log.q, 1), "qdd": (log.q, 2), "tau": (log.tau, 0), "way": (log.q, 1),
+        "logged_qd": (log.qd, 0), "logged_qdd": (log.qdd, 0),
+    }  # fmt: skip
+    signals = {name: np.zeros_like(x) for name, (x, _) in kinds.items() if x is not None}
     inside = np.zeros(log.samples, dtype=bool)
     for part in segments:
         if part.stop - part.start < window:
             continue
-        q[part] = _parabola(log.q[part], window, period, 0)
-        qd[part] = _parabola(log.q[part], window, period, 1)
-        qdd[part] = _parabola(log.q[part], window, period, 2)
-        tau[part] = _parabola(log.tau[part], window, period, 0)
-        if rate is not None and log.qd is not None:
-            rate[part] = _parabola(log.qd[part], window, period, 0)
-        if second is not None and log.qdd is not None:
-            second[part] = _parabola(log.qdd[part], window, period, 0)
+        for name, smooth in signals.items():
+            x, derivative = kinds[name]
+            smooth[part] = _parabola(x[part], window, period, derivative)
         # A longer piece loses more at its ends, where filters of other people reach in.
         edge = min(window, (part.stop - part.start) // 4)
         inside[part.start + edge : part.stop - edge] = True
-    return Smooth(q, qd, qdd, tau, rate, second, inside)
+    inside &= maximum_filter1d(stuck.astype(np.int8), 2 * window + 1) == 0
+    speed = signals["way"]
+    slow = limits.RESOLVED_SHARE * np.sqrt((speed[inside] ** 2).sum(axis=0) / max(inside.sum(), 1))
+    for part in segments:
+        if part.stop - part.start >= window:
+            speed[part] = _parabola(np.clip(speed[part] / (slow + 1e-12), -1, 1), window, period, 0)
+    return Smooth(**signals, inside=inside)
 
 
 def _parabola(x: Floats, window: int, period: float, derivative: int) -> Floats:
     """Savitzky-Golay smoothing of second order, or a derivative of it."""
     from scipy.signal import savgol_filter
 
-    smooth: Floats = savgol_filter(x, window, 2, deriv=derivative, delta=period, axis=0, mode="nearest")
-    return smooth
+    smooth = savgol_filter(x, window, 2, deriv=derivative, delta=period, axis=0, mode="nearest")
+    return np.asarray(smooth)
 
 
 def noise_of(x: Floats, segments: Sequence[slice]) -> Floats:

@@ -4,16 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from robodyn.gate import limits
 from robodyn.gate.flag import Flag, Floats, Rows, chunks, count, span, spans_of
-from robodyn.gate.limits import (
-    FASTEST,
-    FEWEST_CHANGES,
-    JUMP_FACTOR,
-    LARGEST_ACCELERATION,
-    LONGEST_DROPOUT,
-    LONGEST_SPIKE,
-    MOST_JUMPS,
-)
 from robodyn.logs.log import Log
 
 
@@ -22,7 +14,7 @@ def without_spikes(log: Log, index: Rows, flags: list[Flag]) -> Rows:
     some = np.diff(log.t[index[: min(len(index), 100_000)]])
     period = float(np.median(some)) if len(some) else 0.0
     drop: dict[int, None] = {}
-    for name, longest in (("q", LONGEST_DROPOUT), ("tau", LONGEST_SPIKE)):
+    for name, longest in (("q", limits.LONGEST_DROPOUT), ("tau", limits.FILLED_ROWS)):
         array: Floats = getattr(log, name)
         for j in range(log.n):
             spikes, jumps = _jumps(array[:, j], log.t, index, period, longest, position=name == "q")
@@ -45,13 +37,13 @@ def _jumps(
     stride = max(1, len(index) // 50_000)
     pairs = index[:-1][::stride], index[1:][::stride]
     usual = np.quantile(np.abs(x[pairs[1]] - x[pairs[0]]), 0.99)
-    least = LARGEST_ACCELERATION * period**2
+    least = limits.LARGEST_ACCELERATION * period**2
     if not position:
         low, high = np.quantile(x[pairs[0]], [0.01, 0.99])
         least = float(high - low)
-    limit = max(JUMP_FACTOR * float(usual), least)
+    limit = max(limits.JUMP_FACTOR * float(usual), least)
     if position:
-        limit = min(limit, max(FASTEST * period, least))
+        limit = min(limit, max(limits.FASTEST * period, least))
     if limit <= 0:
         return [], []
     kept: list[int] = []
@@ -60,7 +52,7 @@ def _jumps(
         # Across missing rows any distance may be covered.
         far = (np.abs(np.diff(x[own])) > limit) & (np.diff(t[own]) < 1.5 * period)
         kept += (np.flatnonzero(far) + rows.start).tolist()
-        if len(kept) > 2 * MOST_JUMPS * len(index):
+        if len(kept) > 2 * limits.BROKEN_SHARE * len(index):
             return [], []  # not jumps: this is how the signal is
     spikes: list[int] = []
     jumps: list[int] = []
@@ -82,9 +74,9 @@ def _jumps(
             k = home + 1
             continue
         # A torque may well jump where the arm starts and stops.
-        if position and a + 1 > len(index) - 1 - LONGEST_SPIKE:
+        if position and a + 1 > len(index) - 1 - limits.FILLED_ROWS:
             spikes += range(a + 1, len(index))
-        elif position and a < LONGEST_SPIKE:
+        elif position and a < limits.FILLED_ROWS:
             spikes += range(a + 1)
         else:
             jumps.append(a + 1)
@@ -97,7 +89,7 @@ def without_held(log: Log, index: Rows, flags: list[Flag]) -> Rows:
     some = index[:50_000]
     same = (np.diff(log.q[some], axis=0) == 0).all(axis=1) & (np.diff(log.tau[some], axis=0) == 0).all(axis=1)
     changes = np.flatnonzero(~same) + 1
-    if len(changes) < FEWEST_CHANGES or same.mean() < 0.3:
+    if len(changes) < limits.FEWEST_ROWS or same.mean() < 0.3:
         return index
     runs = np.diff(changes)
     m = int(np.median(runs))
