@@ -151,11 +151,7 @@ def rigid_part(robot: Robot, *, bare: bool = False) -> Robot:
     Rotor, viscous and Coulomb friction stay where nothing comes between them and the link; with ``bare``
     nowhere.
     """
-    between = {
-        entry.joint
-        for entry in robot.effects
-        if CATALOGUE[entry.effect].place in ("bearing", "coupler", "gear")
-    }
+    between = _parted(robot)
     links = tuple(
         replace(link, joint=replace(link.joint, motor_inertia=ZERO, viscous=ZERO, coulomb=ZERO))
         if bare or i in between
@@ -164,6 +160,15 @@ def rigid_part(robot: Robot, *, bare: bool = False) -> Robot:
     )
     kept = tuple(entry for entry in robot.effects if entry.definition.traits.body)
     return replace(robot, links=links, effects=kept)
+
+
+def _parted(robot: Robot) -> set[int | None]:
+    """The joints where something comes between motor and link."""
+    return {
+        entry.joint
+        for entry in robot.effects
+        if CATALOGUE[entry.effect].place in ("bearing", "coupler", "gear")
+    }
 
 
 def layer_of(
@@ -187,17 +192,17 @@ def layer_of(
         return Acting(CATALOGUE[entry.effect], values)
 
     motor = robot.torque_side == "motor"
-    left = rigid_part(robot, bare=bare)
+    between = _parted(robot)
     joints: list[JointDrive] = []
     pairs: list[Pair] = []
-    for i, (link, kept) in enumerate(zip(robot.links, left.links, strict=True), 1):
+    for i, link in enumerate(robot.links, 1):
         by_place: dict[str, list[Acting]] = {place: [] for place in _DRIVE}
         for entry in robot.effects_at(i):
             if _acts(robot, entry):
                 by_place[CATALOGUE[entry.effect].place].append(acting(entry))
-        joint, rest = link.joint, kept.joint
-        here = motor and joint != rest
-        numbers = (joint.motor_inertia, joint.viscous, joint.coulomb) if here else (0, 0, 0)
+        joint = link.joint
+        drive = (joint.motor_inertia, joint.viscous, joint.coulomb)
+        numbers = drive if motor and (bare or i in between) and any(drive) else (0, 0, 0)
         joints.append(
             JointDrive(
                 joint.kind == "revolute",

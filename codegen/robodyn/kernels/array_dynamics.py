@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -95,9 +96,8 @@ class Rigid:
 
 class Model:
     """A robot on arrays: ``q, qd, qdd`` [K, n]. Stateful effects are at their steady values. ``reuse`` is
-    shared by models that may have the same rigid arm. ``seen``: what directions of motion [K, ...] go
-    through, where states are evenly sampled and went through a filter of their own. ``sticking`` [n]: speeds
-    [rad/s or m/s] below which dry friction fades to 0 in proportion to the speed, 0 where it does not.
+    shared by models that may have the same rigid arm. ``sticking`` [n]: speeds [rad/s or m/s] below which dry
+    friction fades to 0 in proportion to the speed, 0 where it does not.
 
     Raises
     ------
@@ -109,12 +109,10 @@ class Model:
         robot: Robot,
         parameters: Mapping[str, float] | None = None,
         reuse: Reuse | None = None,
-        seen: Callable[[Floats], Floats] | None = None,
         sticking: Floats | None = None,
     ) -> None:
         self.robot = robot
         self.reuse = reuse
-        self._seen = seen
         self._sticking = sticking
         values = dict(parameters or {})
         complaint = without_values(robot, values)
@@ -125,6 +123,12 @@ class Model:
         self._layer: Layer = layer_of(robot, float, values.__getitem__, bare=True)
         self._rest = None if robot.rest_velocity is None else float(robot.rest_velocity)
         self._band = None if robot.dead_band is None else float(robot.dead_band)
+
+    def along(self, reuse: Reuse) -> Model:
+        """The same model along the motion of another ``reuse``."""
+        model = copy(self)
+        model.reuse = reuse
+        return model
 
     @property
     def couplers(self) -> dict[int, Acting]:
@@ -145,7 +149,7 @@ class Model:
         way = np.asarray(smoothed_sign(qd, self._rest, self._band), dtype=np.float64)
         if self._sticking is not None and qd.ndim == 2:  # joints', and not of motors that drive two
             way *= np.minimum(np.abs(qd) / np.maximum(self._sticking, 1e-300), 1.0)
-        return way if self._seen is None else self._seen(way)
+        return way
 
     def direction_of(self, speed: Floats, ratios: Mapping[int, float]) -> Floats:
         """The direction [K] of a motor's ``speed`` [K] that sums those of joints (from 0) by ``ratios``."""
@@ -153,7 +157,7 @@ class Model:
         if self._sticking is not None:
             unresolved = np.sqrt(sum((ratio * self._sticking[j]) ** 2 for j, ratio in ratios.items()))
             way *= np.minimum(np.abs(speed) / max(float(unresolved), 1e-300), 1.0)
-        return way if self._seen is None else self._seen(way)
+        return way
 
     def evaluate(self, q: Floats, qd: Floats, qdd: Floats, motors: Moved | None = None) -> Evaluated:
         """The model's torques along a motion of the links; that of the ``motors`` is the same unless it is

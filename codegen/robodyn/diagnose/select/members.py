@@ -56,12 +56,12 @@ class Member:
             name for name, x in self.parameters.items() if isinstance(x, float) and x and name not in kept
         ]
 
-    def of_slope(self, name: str) -> tuple[Any, ...] | None:
-        """What the slope by a number depends on; None where the torque is not linear in it."""
+    def of_slope(self, name: str) -> tuple[Any, ...]:
+        """What the slope by a number depends on: where the torque is linear in it, on the others that it is
+        not linear in; else on all."""
         linear = CATALOGUE[self.key[0]].linear
-        if name not in linear:
-            return None
-        others = tuple((each, x) for each, x in sorted(self.parameters.items()) if each not in linear)
+        kept = () if name not in linear else linear
+        others = tuple((each, x) for each, x in sorted(self.parameters.items()) if each not in kept)
         return (*self.key, name, others)
 
     def is_size(self, name: str) -> bool:

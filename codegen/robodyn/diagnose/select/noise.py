@@ -17,6 +17,7 @@ from robodyn.diagnose.select.limits import BLOCKS, TOLERANCE
 from robodyn.diagnose.select.remainder import remainder
 from robodyn.diagnose.select.rows import Rows, with_noise
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.kernels.array_dynamics import Model as ArrayModel
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -24,7 +25,8 @@ Floats = NDArray[np.float64]
 
 def rest_of(robot: Robot, rows: Rows) -> Floats:
     """What ``robot`` leaves of the logs [N, n], filtered."""
-    return np.concatenate([remainder(robot, c, sticking=rows.speeds) for c in rows.contexts])
+    model = ArrayModel(robot, sticking=rows.speeds)
+    return np.concatenate([remainder(model, c) for c in rows.contexts])
 
 
 def _numbers(rows: Rows) -> Floats:

@@ -10,8 +10,6 @@ fades (Karnopp 1985 has an interval about zero velocity; the course in it is tak
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,21 +19,14 @@ from robodyn.identify.oscillator import dahl_deflection
 from robodyn.identify.predict import given_torque, offsets
 from robodyn.identify.twist import behind_motors
 from robodyn.kernels.array_dynamics import Model
-from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_torque
 
 Floats = NDArray[np.float64]
 
 
-def remainder(
-    robot: Robot,
-    c: Context,
-    seen: Callable[[Floats], Floats] | None = None,
-    sticking: Floats | None = None,
-) -> Floats:
-    """What ``robot`` leaves [N, n] of a log, filtered and thinned; its directions of motion are ``seen``
-    through this, its joints ``sticking`` below these speeds [n] (:class:`Model`)."""
-    s, model = c.signals, Model(robot, reuse=c.reuse, seen=seen, sticking=sticking)
+def remainder(model: Model, c: Context) -> Floats:
+    """What a ``model`` leaves [N, n] of a log, filtered and thinned."""
+    s, robot, model = c.signals, model.robot, model.along(c.reuse)
     q = c.reuse.shifted(s.q, offsets(robot))
     torque = behind_motors(model, q, s.qd, s.qdd, s.period, s.tau)
     total = torque.total

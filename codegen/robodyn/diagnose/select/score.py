@@ -18,6 +18,7 @@ from robodyn.identify.prior import number_of
 from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,6 +59,7 @@ def trials(fit: Fit, found: Sequence[Family]) -> list[Trial]:
     before = (W * left**2).sum(1)  # [B, n]
     weighted = np.sqrt(np.mean(left.reshape(-1, n) ** 2, axis=0)) > ABOVE_FLOOR * rows.floor
     single = [x.astype(np.float32) for x in (W, y, A)]  # as columns are: most of the time goes into these
+    at_joints: dict[tuple[int, ...], tuple[Singles, ...]] = {}
     done = []
     for one in found:
         J = one.rows
@@ -65,11 +67,13 @@ def trials(fit: Fit, found: Sequence[Family]) -> list[Trial]:
         count, _, _, _, k = Z.shape
         if one.scale is not None:
             Z = Z * one.scale.astype(np.float32)
-        WZ = (Z * single[0][None, :, :, J, None]).reshape(count, B, m * len(J), k).swapaxes(2, 3)
+        if one.first.rows not in at_joints:
+            at_joints[one.first.rows] = tuple(x[:, :, J].reshape(B, m * len(J), -1) for x in single)
+        weights, right, beside = at_joints[one.first.rows]
         Zf = Z.reshape(count, B, m * len(J), k)
-        beside = single[2][:, :, J].reshape(B, m * len(J), p)
+        WZ = (Zf * weights).swapaxes(2, 3)
         ZZ, ZA = (np.asarray(WZ @ x, dtype=np.float64) for x in (Zf, beside))
-        cz = np.asarray(WZ @ single[1][:, :, J].reshape(B, m * len(J), 1), dtype=np.float64)[..., 0]
+        cz = np.asarray(WZ @ right, dtype=np.float64)[..., 0]
         held = 0.0 if one.scale is None else 1.0
         tZZ, tZA, tc = (x.sum(1, keepdims=True) - x for x in (ZZ, ZA, cz))
         P = tZZ - tZA @ inverse @ tZA.swapaxes(2, 3)
