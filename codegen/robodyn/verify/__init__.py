@@ -14,7 +14,7 @@
 """
 
 from robodyn.verify.check import EXACT_STATES, TOLERANCE, verify
-from robodyn.verify.exact import exact_mass_matrix, exact_torque
+from robodyn.verify.exact import exact_torque
 from robodyn.verify.lagrangian import LIMIT, lagrangian
 from robodyn.verify.reference import Reference
 from robodyn.verify.report import Comparison, VerifyReport
@@ -26,7 +26,6 @@ __all__ = [
     "Comparison",
     "Reference",
     "VerifyReport",
-    "exact_mass_matrix",
     "exact_torque",
     "lagrangian",
     "verify",
