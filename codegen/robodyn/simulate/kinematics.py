@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
 from robodyn.dynamics.kinematics import frames, jacobian, jacobian_rate
-from robodyn.dynamics.vectors import BASE, Frame
+from robodyn.dynamics.vectors import Frame
 from robodyn.errors import InputError
 from robodyn.robot.filling import parameter_values
-from robodyn.robot.model import Placement, Robot
+from robodyn.robot.model import Robot
 
 Floats = NDArray[np.float64]
 
@@ -49,8 +49,7 @@ class Kinematics:
         self.point = (float(point[0]), float(point[1]), float(point[2]))
         self.link = robot.n if link is None else link
         self._arm: Arm = build_arm(robot, float, self.parameters.__getitem__)
-        self._base = BASE if robot.base is None else _frame(robot.base)
-        self._turns = [(float(link.joint.theta.cos), float(link.joint.theta.sin)) for link in robot.links]
+        self._turns = [(float(body.theta.cos), float(body.theta.sin)) for body in self._arm.bodies]
 
     def position(self, q: ArrayLike) -> Floats:
         """The point [m], ``[3]`` or ``[N, 3]``."""
@@ -109,30 +108,16 @@ class Kinematics:
 
         zeros = [0.0] * n
         motion = build_motion(self._arm, joints[0], zeros, zeros, trigonometry, float)
-        return frames(self._arm, motion, self._base), shape[:-1], joints[1:]
-
-
-def _frame(place: Placement) -> Frame:
-    x, y, z = (tuple(map(float, column)) for column in zip(*place.rotation, strict=True))
-    return Frame(tuple(map(float, place.xyz)), x, y, z)  # type: ignore[arg-type]
+        return frames(self._arm, motion, self._arm.base), shape[:-1], joints[1:]
 
 
 def _gathered(nested: Any, lead: tuple[int, ...]) -> Floats:
     """Nested sequences of scalars as one array, states first; a single number holds for all states."""
     if not lead:
         return np.array(nested, dtype=np.float64)
-    shape: list[int] = []
-    level = nested
-    while isinstance(level, (list, tuple)):
-        shape.append(len(level))
-        level = level[0]
-    result = np.empty((*lead, *shape))
-    for index in np.ndindex(*shape):
-        value = nested
-        for i in index:
-            value = value[i]
-        result[(slice(None), *index)] = value
-    return result
+    if isinstance(nested, (list, tuple)):
+        return np.stack([_gathered(x, lead) for x in nested], axis=1)
+    return np.broadcast_to(np.asarray(nested, dtype=np.float64), lead)
 
 
 # --- positions and rotations --------------------------------------------------------------------------------
