@@ -64,6 +64,7 @@ def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str
     """A table of counts, one row per ``(heading, function, formulation, count)``, with the thesis's figure of
     that formulation; roots and other operations (arctangents, choices) where functions are of poses."""
     from robodyn.counts import beside
+    from robodyn.draw.tables import aligned
     from robodyn.dynamics.functions import function_named
 
     rows = list(rows)
@@ -82,19 +83,8 @@ def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str
         table.append((heading, *map(str, numbers), thesis, printed.verdict if printed else "-"))
         if printed:
             notes[f"thesis: Table {printed.table}, {printed.row}: {printed.note}"] = None
-    return [*_aligned(table), *(line for note in notes for line in wrapped(note))]
-
-
-def _aligned(table: Sequence[tuple[str, ...]]) -> list[str]:
-    widths = [max(len(row[k]) for row in table) for k in range(len(table[0]))]
-    words = (0, len(widths) - 2, len(widths) - 1)
-    return [
-        "  ".join(
-            cell.ljust(width) if k in words else cell.rjust(width)
-            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in table
-    ]
+    words = (0, len(heads) - 2, len(heads) - 1)
+    return [*aligned(table, left=words), *(line for note in notes for line in wrapped(note))]
 
 
 def pruning_lines(prunings: Mapping[Any, Pruning]) -> list[str]:

@@ -7,6 +7,7 @@ import json
 from collections.abc import Callable, Iterator, Mapping
 from typing import Final
 
+from robodyn.draw.tables import aligned
 from robodyn.errors import RobodynError, escaped
 from robodyn.project.compare import Report
 
@@ -21,14 +22,8 @@ def as_json(shown: Report) -> str:
 
 def as_text(shown: Report) -> str:
     """The counts that changed as a table, and how many did not; lines of a terminal."""
-    rows = [_HEADS, *_rows(shown)]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    lines = []
-    for row in rows if len(rows) > 1 else ():
-        cells = [cell.rjust(width) for cell, width in zip(row, widths, strict=True)]
-        for k in (0, 1, 7, 8):  # texts stand to the left
-            cells[k] = row[k].ljust(widths[k])
-        lines.append("  ".join(cells).rstrip())
+    rows = list(_rows(shown))
+    lines = aligned([_HEADS, *rows], left=(0, 1, 7, 8)) if rows else []
     lines += [f"wrote {path}" for path in shown["written"]]
     return "".join(f"{line}\n" for line in (*lines, _summary(shown)))
 

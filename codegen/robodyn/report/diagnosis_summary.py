@@ -12,11 +12,12 @@ import numpy as np
 
 from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Diagnosis, Estimate, Finding
+from robodyn.draw.tables import aligned
 from robodyn.report import diagnosis_text as words
 from robodyn.report.diagnosis_findings import next_of
 from robodyn.report.diagnosis_headline import headline, in_a_line
 from robodyn.report.diagnosis_residual import Localised, Travel
-from robodyn.report.figures import aligned, capital, formatted, printable
+from robodyn.report.figures import capital, formatted, printable
 
 _SWEEP: Final = "Constant speeds from slow to fast, both ways, one joint at a time."
 #: What to record when nothing can be named, by the quantity that shows the residual best.

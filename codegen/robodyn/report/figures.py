@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping
 from typing import Final
 
 #: Units of what a joint has, by its kind.
@@ -52,16 +52,3 @@ def printable(line: str) -> str:
 def capital(text: str) -> str:
     """``text`` at the beginning of a line."""
     return text[:1].upper() + text[1:]
-
-
-def aligned(rows: Sequence[Sequence[str]], left: Collection[int] = ()) -> list[str]:
-    """``rows`` of a table as lines, each column as wide as its widest cell: to the right, but for those that
-    are ``left``."""
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return [
-        "  ".join(
-            cell.ljust(width) if k in left else cell.rjust(width)
-            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in rows
-    ]

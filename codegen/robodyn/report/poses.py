@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from math import degrees as to_degrees
 from typing import Any
 
+from robodyn.draw.tables import aligned
 from robodyn.dynamics.inverse import Numerical
-from robodyn.report.figures import aligned
 from robodyn.simulate.pose_text import roll_pitch_yaw
 from robodyn.simulate.poses import LEAST_SQUARES, Posed, PoseSolver, Solution
 

@@ -9,8 +9,9 @@ from typing import Any, Final
 import numpy as np
 
 from robodyn.draw import style
+from robodyn.draw.tables import aligned
 from robodyn.logs.log import Log
-from robodyn.report.figures import UNITS, aligned
+from robodyn.report.figures import UNITS
 from robodyn.robot.model import Robot
 from robodyn.simulate.simulation import Simulation
 from robodyn.simulate.trajectories.trajectory import Trajectory

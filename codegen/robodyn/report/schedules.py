@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
+from robodyn.draw.tables import aligned
 from robodyn.errors import InputError
-from robodyn.report.figures import aligned
 from robodyn.robot.masses import require_masses
 from robodyn.robot.model import Robot
 from robodyn.schedule import FLOPS_PER_TASK, Solved, TaskGraph, general_graph, robot_graph

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from robodyn.draw.tables import aligned
+
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
@@ -99,14 +101,7 @@ class VerifyReport:
         title = f"{self.robot} ({self.scalar}, {self.language}): {self.states} states, seed {self.seed}"
         lines = [f"{title}, largest torque {self.largest_torque:.4g}"]
         head = ("function", "against", "states", "error", "allowed", "joint", "state", "ulp", "")
-        rows = [head, *(_row(c) for c in self.comparisons)]
-        widths = [max(len(row[k]) for row in rows) for k in range(len(head))]
-        for row in rows:
-            cells = [
-                cell.ljust(w) if k < 2 else cell.rjust(w)
-                for k, (cell, w) in enumerate(zip(row, widths, strict=True))
-            ]
-            lines.append("  ".join(cells).rstrip())
+        lines += aligned([head, *map(_row, self.comparisons)], left=(0, 1))
         lines += [f"not compared: {what}: {why}" for what, why in self.skipped.items()]
         if self.passed:
             lines.append("all within tolerance")

@@ -4,11 +4,12 @@ its text, aligned, reasons as numbered remarks beneath."""
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
 from robodyn.counts import Count
+from robodyn.draw.tables import aligned
 from robodyn.thesis.printed import data
 
 Verdict = Literal["reproduced", "differs", "not recoverable"]
@@ -165,8 +166,7 @@ def to_text(table: Table) -> str:
         figures = (figure_text(column.figure(row)) for column in table.columns)
         mark = f"[{remarks[row.reason]}]" if row.reason else ""
         cells.append((row.name, *figures, row.verdict or "-", mark))
-    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-    head, *lines = (_aligned(line, widths) for line in cells)
+    head, *lines = aligned(cells, left=range(len(cells[0])))
     text = [f"{'Table ' if table.id[0].isdigit() else ''}{table.id}: {table.title}", "", head]
     for row, line in zip(table.rows, lines, strict=True):
         text.append(line)
@@ -182,10 +182,6 @@ def to_text(table: Table) -> str:
     for note in table.notes:
         text += _wrapped("", note)
     return "\n".join(text).rstrip() + "\n"
-
-
-def _aligned(cells: Sequence[str], widths: Sequence[int]) -> str:
-    return "  ".join(cell.ljust(width) for cell, width in zip(cells, widths, strict=True)).rstrip()
 
 
 def _wrapped(head: str, text: str, indent: str = "") -> list[str]:
