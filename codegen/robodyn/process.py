@@ -84,6 +84,20 @@ def not_imported(error: Exception) -> int:
     return 74 if refused else 3
 
 
+def bound(**limits: int) -> None:
+    """Give this process limits by their names in ``resource`` (``CPU`` [s], ``DATA`` [bytes] ...), or those
+    that it has where they are lower; none on Windows."""
+    try:
+        import resource
+    except ImportError:
+        return
+    for name, value in limits.items():
+        limit = getattr(resource, f"RLIMIT_{name}")
+        _, most = resource.getrlimit(limit)
+        least = value if most == resource.RLIM_INFINITY else min(value, most)
+        resource.setrlimit(limit, (least, least))
+
+
 def listen() -> None:
     """Let the first SIGINT, SIGTERM or SIGHUP raise :class:`Ended` in the main thread, from now on.
 

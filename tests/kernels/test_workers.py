@@ -79,9 +79,7 @@ def test_a_process_that_is_killed(
 def test_a_process_that_cannot_begin(
     monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(
-        workers, "_SERVE", workers._SERVE.replace("robodyn.toolchain.workers", "robodyn.nothing")
-    )
+    monkeypatch.setattr(workers, "_SERVE", workers._SERVE.format("robodyn.nothing"))
     with pytest.raises(ToolError, match="found exit status 1"), Workers(2) as helpers:
         helpers.run(len, [("a",), ("b",)])
     assert capfd.readouterr() == ("", "")

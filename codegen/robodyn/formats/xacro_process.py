@@ -39,6 +39,7 @@ from robodyn.formats.xacro_values import (
     tokenize,
 )
 from robodyn.formats.xml_text import load_encodings, xml_text
+from robodyn.process import bound
 
 #: What is taken out of the package and replaced; a version without one of them is refused.
 REPLACED: Final = (
@@ -247,23 +248,6 @@ def _converted(text: str) -> Any:
     return text
 
 
-def bound(seconds: int, memory: int) -> None:
-    """Give this process bounds: processor time [s], memory [bytes], no file that grows."""
-    try:
-        import resource
-    except ImportError:
-        return
-    for limit, value in (
-        (resource.RLIMIT_CPU, seconds),
-        (resource.RLIMIT_AS, memory),
-        (resource.RLIMIT_FSIZE, 0),
-        (resource.RLIMIT_CORE, 0),
-    ):
-        _, most = resource.getrlimit(limit)
-        least = value if most == resource.RLIM_INFINITY else min(value, most)
-        resource.setrlimit(limit, (least, least))
-
-
 def guard() -> None:
     """From now on nothing is imported, run, started or opened, but by :class:`Files`, for reading."""
     readers = {files.open_regular.__code__, files._without_waiting.__code__}
@@ -304,7 +288,7 @@ def main() -> int:
     try:
         expansion = Expansion(task["file"], task["arguments"], task["ros"])
         load_encodings()
-        bound(task["seconds"], task["memory"])
+        bound(CPU=task["seconds"], AS=task["memory"], FSIZE=0, CORE=0)
         guard()
         data = expansion.text().encode("utf-8", "replace")
         if len(data) > FILE_MIB * MIB:

@@ -6,11 +6,9 @@ back. In the guarded process that costs nothing: what asked is told so. The proc
 
 from __future__ import annotations
 
-import contextlib
 import os
 import pickle
 import subprocess
-import sys
 import threading
 import weakref
 from collections.abc import Iterator
@@ -21,6 +19,8 @@ from robodyn.errors import InputError, Place, RobodynError
 from robodyn.logs.formats import LogFormat
 from robodyn.logs.recording import Groups, Recording, Stream, damaged
 from robodyn.logs.windows import Rows
+from robodyn.process import bound
+from robodyn.toolchain import workers
 
 #: Memory of the process [bytes]; how long an answer takes at most [s], and how many more bytes of a file
 #: [1/s] make it longer.
@@ -28,28 +28,14 @@ MEMORY, SECONDS, RATE = 6 << 30, 60.0, 4e6
 #: Processes that are kept for the next file.
 KEPT: Final = 2
 
-_SERVE: Final = """\
-import os
-try:
-    from robodyn.logs.guard import serve
-    serve()
-finally:
-    os._exit(1)
-"""
-
 
 class _Reader:
     """A process that reads files, one after the other."""
 
     def __init__(self) -> None:
-        imports = os.pathsep.join(path or str(Path.cwd()) for path in sys.path)
         self.owner = os.getpid()
-        self.process = subprocess.Popen(
-            [sys.executable, "-P", "-c", _SERVE], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL, env=dict(os.environ, PYTHONPATH=imports),
-            start_new_session=True,  # Ctrl-C is for the one that asks
-        )  # fmt: skip
-        self.end = weakref.finalize(self, _end, self.process)
+        self.process = workers.started(__name__, stderr=subprocess.DEVNULL)
+        self.end = weakref.finalize(self, workers.end, [self.process], at_once=True)
 
     def ask(self, request: tuple[Any, ...], file: str, seconds: float) -> Any:
         """What the process answers to the ``request``.
@@ -90,15 +76,6 @@ class _Reader:
             raise answer
         finally:
             del answer  # which has this frame in its traceback: neither would be let go of soon
-
-
-def _end(process: subprocess.Popen[bytes]) -> None:
-    process.kill()
-    for stream in (process.stdin, process.stdout):
-        if stream is not None:
-            with contextlib.suppress(OSError):
-                stream.close()
-    process.wait()
 
 
 #: Processes that wait for the next file.
@@ -154,28 +131,9 @@ def open_guarded(format: LogFormat, path: Path, file: str, gaps: bool) -> Record
 
 def serve() -> None:
     """Read what is asked for, until nothing more is."""
-    with contextlib.suppress(ImportError):  # not on Windows
-        import resource
-
-        # Of data: files that are mapped, and what a library reserves ahead, take no memory.
-        for limit, value in ((resource.RLIMIT_DATA, MEMORY), (resource.RLIMIT_CORE, 0)):
-            most = resource.getrlimit(limit)[1]
-            least = value if most == resource.RLIM_INFINITY else min(value, most)
-            resource.setrlimit(limit, (least, least))
-    questions, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # a library that prints does not answer
+    bound(DATA=MEMORY, CORE=0)  # files that are mapped, and what a library reserves ahead, are no data
     session = _Session()
-    while True:
-        try:
-            kind, *details = pickle.load(questions)
-        except EOFError:
-            return
-        try:
-            answer = True, getattr(session, kind)(*details)
-        except Exception as error:
-            answer = False, session.said_of(error)
-        pickle.dump(answer, answers, protocol=pickle.HIGHEST_PROTOCOL)
-        answers.flush()
+    workers.answer_requests(lambda kind, *details: getattr(session, kind)(*details), said_of=session.said_of)
 
 
 class _Session:

@@ -21,15 +21,39 @@ from typing import Any
 
 from robodyn.errors import ToolError
 
-#: What a process runs. It ends without a word, however it ends: the one that asks says what is to be said.
+#: What a process runs, of a module. It ends without a word, however it ends: the one that asks says what is
+#: to be said.
 _SERVE = """\
 import os
 try:
-    from robodyn.toolchain.workers import serve
+    from {} import serve
     serve()
 finally:
     os._exit(1)
 """
+
+
+def started(module: str, **streams: Any) -> subprocess.Popen[bytes]:
+    """A process that runs ``serve`` of a ``module``, in a group of its own: Ctrl-C is for the one that asks.
+    ``streams`` go to ``Popen``."""
+    imports = os.pathsep.join(path or str(Path.cwd()) for path in sys.path)
+    return subprocess.Popen(
+        [sys.executable, "-P", "-c", _SERVE.format(module)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        env=dict(os.environ, PYTHONPATH=imports), start_new_session=True, **streams,
+    )  # fmt: skip
+
+
+def end(processes: Sequence[subprocess.Popen[bytes]], *, at_once: bool) -> None:
+    """Let go of ``processes``, which end when they have answered, or ``at_once``; wait for that."""
+    for process in processes:
+        if at_once:
+            process.kill()
+        for stream in (process.stdin, process.stdout):
+            if stream is not None:
+                with contextlib.suppress(OSError):  # what it was to do next: it is dead already
+                    stream.close()
+    for process in processes:
+        process.wait()
 
 
 class Workers:
@@ -41,39 +65,18 @@ class Workers:
 
     def __enter__(self) -> Workers:
         if self.count > 1:
-            imports = os.pathsep.join(path or str(Path.cwd()) for path in sys.path)
-            environment = dict(os.environ, PYTHONPATH=imports)
-            pipe = subprocess.PIPE
             try:
-                for _ in range(self.count):  # in a group of their own: Ctrl-C is for the one that asks
-                    process = subprocess.Popen(
-                        [sys.executable, "-P", "-c", _SERVE],
-                        stdin=pipe,
-                        stdout=pipe,
-                        env=environment,
-                        start_new_session=True,
-                    )
-                    self._processes.append(process)
+                for _ in range(self.count):
+                    self._processes.append(started(__name__))
             except BaseException:
-                self._end(at_once=True)
+                end(self._processes, at_once=True)
                 raise
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._end(at_once=kind is not None)
-
-    def _end(self, *, at_once: bool) -> None:
-        for process in self._processes:
-            if at_once:
-                process.kill()
-            for stream in (process.stdin, process.stdout):
-                if stream is not None:
-                    with contextlib.suppress(OSError):  # what it was to do next: it is dead already
-                        stream.close()
-        for process in self._processes:
-            process.wait()
+        end(self._processes, at_once=kind is not None)
 
     def run(self, function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]]) -> list[Any]:
         """``function`` of each task's arguments; at most ``count`` tasks, one a process.
@@ -161,21 +164,29 @@ def _lost(process: subprocess.Popen[bytes]) -> ToolError:
     )
 
 
+def answer_requests(
+    answer: Callable[..., Any], said_of: Callable[[Exception], Exception] = lambda error: error
+) -> None:
+    """In the process: ``answer`` what is asked, until nothing more is; of an exception what is ``said_of`` it
+    is raised in the one that asks."""
+    questions, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # a library that prints does not answer
+    while True:
+        try:
+            request = pickle.load(questions)
+        except EOFError:
+            return
+        try:
+            result = True, answer(*request)
+        except Exception as error:
+            result = False, said_of(error)
+        pickle.dump(result, answers, protocol=pickle.HIGHEST_PROTOCOL)
+        answers.flush()
+
+
 def serve() -> None:
     """Work on what comes in, until nothing more does."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the one that asks sees to the end
     gc.freeze()
     gc.set_threshold(100_000, 20, 20)  # a search makes much that lives for a millisecond
-    answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
-    sys.stdout = sys.stderr
-    while True:
-        try:
-            function, task = pickle.load(sys.stdin.buffer)
-        except EOFError:
-            return
-        try:
-            answer = (True, function(*task))
-        except Exception as error:
-            answer = (False, error)
-        pickle.dump(answer, answers)
-        answers.flush()
+    answer_requests(lambda function, task: function(*task))
