@@ -16,7 +16,7 @@ from robodyn.drives.coupling import TwistState, next_twist
 from robodyn.drives.drive import layer_of
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Site
-from robodyn.verify.stateful import Twist, bristle_step, twist, twist_step, twist_torque
+from robodyn.verify.stateful import Twist, bristle_step, twist, twist_step
 from robodyn_testing import exactly
 
 PUMA = robodyn.load("puma560", warn=lambda _: None)
@@ -56,6 +56,16 @@ def test_bristles_step_by_step() -> None:
             [pytest.approx(torque)],
         )
     assert torque == pytest.approx(p["level"])  # after so long it slides
+
+
+def twist_torque(effect: str, p: Any, way: Any, rate: Any) -> Any:
+    """The inverse of the twist, by bisection, and damping."""
+    low, high = np.zeros_like(way), p["stiffness"] * np.abs(way)
+    for _ in range(200):
+        middle = (low + high) / 2
+        less = twist(effect, p, middle) < np.abs(way)
+        low, high = np.where(less, middle, low), np.where(less, high, middle)
+    return np.sign(way) * high + p["damping"] * rate
 
 
 @pytest.mark.parametrize("damping", [Fraction(0), Fraction(3, 2)])

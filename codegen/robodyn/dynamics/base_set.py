@@ -140,10 +140,7 @@ def _base_set(arm: Arm) -> tuple[BaseParameter, ...]:
     links = list(enumerate(arm.bodies, 1))
     candidates = [Standard(quantity, i) for i, body in links for quantity in _OWN[body.revolute]]
     drives = [Standard(quantity, i) for quantity in DRIVE for i, _ in links] if arm.motors else []
-    rotors, friction = (
-        drives[: len(links)],
-        drives[len(links) :],
-    )  # friction is odd in the rates, all else even
+    rotors, friction = drives[: len(links)], drives[len(links) :]  # which is odd in the rates, all else even
     forms |= {x: {x: Fraction(1)} for x in drives}
     independent, relations = _independent(arm, candidates + rotors)
     parameters = []

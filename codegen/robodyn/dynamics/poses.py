@@ -31,7 +31,7 @@ from robodyn.dynamics.sections import (
     with_cofactor,
 )
 from robodyn.dynamics.state import Dynamics
-from robodyn.dynamics.vectors import ZERO, Vector, named, plus
+from robodyn.dynamics.vectors import ZERO, Vector, flat, named, plus
 from robodyn.effects.scalars import is_zero
 
 
@@ -166,8 +166,3 @@ def _to_link(sections: Sequence[Section], link: int) -> Vector:
 def rows_of(axes: Axes) -> list[Vector]:
     """The rotation whose columns are ``axes``, row by row."""
     return list(zip(*axes, strict=True))
-
-
-def flat(rows: Sequence[Sequence[Any]]) -> list[Any]:
-    """Rows one after another."""
-    return [x for row in rows for x in row]

@@ -249,10 +249,8 @@ def _step(cut: Cut, step: Step, plan: Lanes, k: int, writer: _Writer, slot: dict
 def _packed(robot: Robot, signature: Signature, packing: Packing) -> dict[str, Any]:
     name, program = signature.robot, packing.program
     spelling = c_spelling(single=signature.scalar == "float")
-    writer, vectors = (
-        _Writer(program, c_syntax(spelling, f"{name}_real")),
-        c_syntax(spelling, f"{name}_lanes"),
-    )
+    writer = _Writer(program, c_syntax(spelling, f"{name}_real"))
+    vectors = c_syntax(spelling, f"{name}_lanes")
     lines: list[str] = []
     written: dict[tuple[str, ...], str] = {}
 

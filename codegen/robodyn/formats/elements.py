@@ -236,10 +236,9 @@ class Quantities:
         words = text.split(None, count)
         if len(words) != count:
             found = shown(" ".join(text.split())) if words else "nothing"
-            number, expected = (
-                ("number", "a number") if count == 1 else ("numbers", f"{count}, separated by spaces")
-            )
-            raise self.fail(element, f"{what} must have {count} {number}", found, expected, attribute)
+            expected = "a number" if count == 1 else f"{count}, separated by spaces"
+            what += f" must have {count} number{'s' if count > 1 else ''}"
+            raise self.fail(element, what, found, expected, attribute)
         return tuple(self._number(word, element, attribute, what) for word in words)
 
     def truth(self, text: str, element: Element, attribute: str = "") -> bool:

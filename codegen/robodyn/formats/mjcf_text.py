@@ -261,10 +261,8 @@ class _Writer:
         for name, text in attributes.items():
             fault = expected = ""
             if not _NAMES.fullmatch(name) and any(word.strip("+-").lower() == "nan" for word in text.split()):
-                fault, expected = (
-                    "is not a number",
-                    "a number",
-                )  # MuJoCo reads it, and writes a file that says so
+                # MuJoCo reads it, and writes a file that says so.
+                fault, expected = "is not a number", "a number"
             elif name in ("sep", "prefix") and len(text) > TEXT_LENGTH:
                 fault, expected = "is long", f"at most {TEXT_LENGTH} characters"
             if fault:

@@ -65,10 +65,8 @@ class _Reader(Quantities):
         if text is None:
             return Pose.from_rpy(xyz, self.vector(origin, "rpy", of, zero))
         if self.document.root.attributes.get("version", "1.0") == "1.0":  # urdfdom passes over it there
-            what, remedy = (
-                f"{of}: quat_xyzw is of URDF 1.1",
-                'say so: <robot name="..." version="1.1">, or write rpy',
-            )
+            what = f"{of}: quat_xyzw is of URDF 1.1"
+            remedy = 'say so: <robot name="..." version="1.1">, or write rpy'
             raise self.fail(origin, what, "1.0", attribute="quat_xyzw", remedy=remedy)
         return self.quaternion(text, origin, "quat_xyzw", xyz, f"{of}: quat_xyzw of <origin>")
 
@@ -180,10 +178,8 @@ class _Transmissions:
             if value < 0:
                 raise self._reader.fail(part, f"{what} is negative", f"{value:g}", attribute=attribute)
             if self._with_rotor.setdefault(joint, transmission) is not transmission:
-                fault, remedy = (
-                    "by two transmissions",
-                    "state the sum of their inertias in one of the transmissions",
-                )
+                fault = "by two transmissions"
+                remedy = "state the sum of their inertias in one of the transmissions"
         elif value in (0.0, 1.0):
             self._leftovers.add(f"reductions of {value:g}", part.line)
             return

@@ -81,10 +81,7 @@ class Evaluator:
             case ast.Call():
                 return self._call(node, local)
             case ast.BinOp() if type(node.op) in BINARY:
-                left, right = (
-                    checked_data(self.value(node.left, local)),
-                    checked_data(self.value(node.right, local)),
-                )
+                left, right = (checked_data(self.value(x, local)) for x in (node.left, node.right))
                 return bounded(BINARY[type(node.op)](left, right))
             case ast.UnaryOp():
                 return UNARY[type(node.op)](checked_data(self.value(node.operand, local)))

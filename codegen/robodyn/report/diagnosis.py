@@ -305,10 +305,8 @@ def _entry(finding: Finding) -> dict[str, Any]:
     seen = words.identified(finding)
     fitted = {name: p for name, p in seen.items() if p.stderr or p.bounds} or seen
     texts = [words.value_text(p, finding.effect, name) for name, p in fitted.items()]
-    text = (
-        " ".join(words.touched_at(finding)).strip()
-        if words.is_contact(finding.effect)
-        else [*texts, "not identifiable"][0]
-    )
+    text = [*texts, "not identifiable"][0]
+    if words.is_contact(finding.effect):
+        text = " ".join(words.touched_at(finding)).strip()
     sure = f"{100 * finding.confidence:.0f} %"
     return {"text": text.replace("^2", "²"), "is_claim": finding.confidence >= CLAIM, "sure": sure}

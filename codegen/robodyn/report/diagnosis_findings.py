@@ -169,11 +169,8 @@ def _charts(
     ``name`` or the ``abscissa``; none without samples."""
     if not diagnosis.series or len(diagnosis.series[0].times) < 2:
         return []
-    series, units, floor = (
-        diagnosis.series[0],
-        words.units_at(diagnosis, j),
-        float(diagnosis.gap.noise_floor[j]),
-    )
+    series, units = diagnosis.series[0], words.units_at(diagnosis, j)
+    floor = float(diagnosis.gap.noise_floor[j])
     charts = [over_time(series, j, units["torque"], floor, windows)]
     if abscissa is not None or name not in _IN_TIME:
         abscissa = abscissa or across(series, j, name, units)

@@ -180,14 +180,9 @@ def torques(
         marks.append(Mark(f"line {css}", "".join(frame.line(a, mean) for a, mean, _ in lines), css))
     rms = _rms(series, series.tau[:, j])
     shares = [f"{100 * size / rms:.3g} %" if rms > 0 else "n/a" for size in _sizes(series, j)]
-    text = (
-        "off by {} of the torque before, {} after"
-        if len(shares) > 1
-        else "off by {} of the torque, unchanged"
-    )
-    return _chart_over_time(
-        frame, f"Torque at joint {j + 1}", text.format(*shares), unit, marks, windows, (7, 4)
-    )
+    text = f"off by {shares[0]} of the torque"
+    text += f" before, {shares[1]} after" if len(shares) > 1 else ", unchanged"
+    return _chart_over_time(frame, f"Torque at joint {j + 1}", text, unit, marks, windows, (7, 4))
 
 
 def over_time(
@@ -258,12 +253,8 @@ def over(series: Series, j: int, across: Across, unit: str, floor: float, *, dot
                 bands.append(Mark(f"band {css}", frame.outline(centre, low, high)))
                 means.append(Mark(f"mean {css} {way}", frame.line(centre, mean), f"mean {css}"))
     labels = (f"{across.name} [{across.unit}]" if across.unit else across.name, f"[{unit}]")
-    title, text, most = (
-        f"Joint {j + 1} over {across.name}",
-        range_text(series, j, unit),
-        (7, 5) if dots == WIDE_DOTS else (4, 3),
-    )
-    return frame.chart(title, text, labels, [*marks, *bands, *means], most=most)
+    title, most = f"Joint {j + 1} over {across.name}", (7, 5) if dots == WIDE_DOTS else (4, 3)
+    return frame.chart(title, range_text(series, j, unit), labels, [*marks, *bands, *means], most=most)
 
 
 def range_text(series: Series, j: int, unit: str) -> str:

@@ -80,11 +80,8 @@ def _missing(diagnosis: Diagnosis, validated: bool) -> tuple[str, str]:
     if diagnosis.verdict == "unexplained" or not lacking:
         return "Something", "that no effect of the catalogue explains"
     noisy = words.joints_above_noise(diagnosis, validated)
-    more = (
-        [f"something at {words.joints_of(noisy, diagnosis.robot.n)} that this does not explain"]
-        if noisy
-        else []
-    )
+    where = words.joints_of(noisy, diagnosis.robot.n)
+    more = [f"something at {where} that this does not explain"] if noisy else []
     counted = Counter(f.effect for f in lacking)
     if len(counted) > _FEW:
         names = [

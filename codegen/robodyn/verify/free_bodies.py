@@ -82,11 +82,10 @@ def joint_reactions(
             c, s = np.broadcast_to(ct, count), np.broadcast_to(st, count)
         else:
             angles = as_numbers(q[:, k])
-            cq, sq = (
-                np.array([circle_point(x) for x in angles], object).T
-                if exact
-                else (np.cos(angles), np.sin(angles))
-            )
+            if exact:
+                cq, sq = np.array(list(map(circle_point, angles)), object).T
+            else:
+                cq, sq = np.cos(angles), np.sin(angles)
             c, s = cq * ct - sq * st, sq * ct + cq * st
             slope[:, 0, 0], slope[:, 0, 1], slope[:, 1, 0], slope[:, 1, 1] = -s, -c, c, -s
             second[:, 0, 0], second[:, 0, 1], second[:, 1, 0], second[:, 1, 1] = -c, s, -s, -c

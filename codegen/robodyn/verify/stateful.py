@@ -19,8 +19,6 @@ from robodyn.verify.effects import Drives, Floats, Reactions, Settings, place_of
 from robodyn.verify.numbers import Parameters, filled
 from robodyn.verify.reference import Reference
 
-_HALVINGS = 200
-
 
 def bristle_step(p: Settings, qd: Floats, z: Floats, dt: float) -> tuple[Floats, Floats]:
     """LuGre after ``dt`` [s] at the constant velocity ``qd`` ``[N]``, from the bend ``z`` ``[N]`` [rad or m]:
@@ -50,17 +48,6 @@ def twist(effect: str, p: Settings, tau: Floats) -> Floats:
         raise NoReferenceError(f"there is no reference for {effect}, a joint that twists")
     size = np.abs(tau)
     return np.asarray(stretched + np.sign(tau) * p["gap"] / 2 * size / (size + p["transition"]))
-
-
-def twist_torque(effect: str, p: Settings, way: Floats, rate: Floats) -> Floats:
-    """Torque ``[N]`` [N m or N] of the twist ``way`` and its ``rate`` ``[N]``: the inverse of :func:`twist`,
-    by bisection, and damping."""
-    low, high = np.zeros_like(way), p["stiffness"] * np.abs(way)
-    for _ in range(_HALVINGS):
-        middle = (low + high) / 2
-        less = twist(effect, p, middle) < np.abs(way)
-        low, high = np.where(less, middle, low), np.where(less, high, middle)
-    return np.asarray(np.sign(way) * high + p["damping"] * rate)
 
 
 @dataclass(frozen=True, slots=True)
