@@ -23,7 +23,7 @@ def record(
 ) -> dict[str, Any]:
     """A count as ``--json`` prints it; of a robot with effects split into the operations of the ``rigid`` arm
     and those of the effects; with the object ``prune``, if its function was pruned."""
-    from robodyn.counts import beside
+    from robodyn.counts.thesis import beside
 
     printed = beside(robot, function, count, formulation)
     row: dict[str, Any] = {
@@ -63,7 +63,7 @@ def effect_lines(counts: Mapping[str, Count], rigid: Mapping[str, Count | None])
 def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str]:
     """A table of counts, one row per ``(heading, function, formulation, count)``, with the thesis's figure of
     that formulation; roots and other operations (arctangents, choices) where functions are of poses."""
-    from robodyn.counts import beside
+    from robodyn.counts.thesis import beside
     from robodyn.draw.tables import aligned
     from robodyn.dynamics.functions import function_named
 

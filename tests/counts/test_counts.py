@@ -8,7 +8,8 @@ from fractions import Fraction
 import pytest
 
 from robodyn import InputError, load, program
-from robodyn.counts import Count, beside, count, parse_budget
+from robodyn.counts import Count, count, parse_budget
+from robodyn.counts.thesis import beside
 from robodyn.ir import Input, Label, Operation, Program
 from robodyn.optimize.programs import FORMULATIONS
 from robodyn.robot import Comparison, bundled_names

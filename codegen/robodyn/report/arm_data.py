@@ -10,8 +10,9 @@ import numpy as np
 from markupsafe import Markup
 from numpy.typing import NDArray
 
-from robodyn.counts import beside, count
+from robodyn.counts import count
 from robodyn.counts.peers import TITLES, operations_of_peers, versions_of_peers
+from robodyn.counts.thesis import beside
 from robodyn.draw.mathml import equation, of_expression, of_input, of_name
 from robodyn.dynamics.functions import function_named
 from robodyn.emit.statements import statements

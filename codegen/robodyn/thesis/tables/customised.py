@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
-from robodyn.counts import Count, beside, count
-from robodyn.counts.thesis import TABLE_2_10
+from robodyn.counts import Count, count
+from robodyn.counts.thesis import TABLE_2_10, beside
 from robodyn.kernels.generate import Options, program
 from robodyn.kernels.options import Level
 from robodyn.robot import Robot, bundled_names
