@@ -26,19 +26,7 @@ from typing import Any
 
 from robodyn.dynamics.arm import Arm, Body, Motion, into_child, origin
 from robodyn.dynamics.joints import joint_torque
-from robodyn.dynamics.vectors import (
-    AXES,
-    ZERO,
-    Mark,
-    Vector,
-    cross,
-    dot,
-    minus,
-    named,
-    plus,
-    scaled,
-    unmarked,
-)  # fmt: skip
+from robodyn.dynamics.vectors import AXES, ZERO, Mark, Vector, cross, dot, named, plus, scaled, unmarked
 from robodyn.ir.program import Label
 
 AXIS: Vector = (0, 0, 1)
@@ -88,6 +76,11 @@ def propagated(partials: list[Partial], body: Body, c: Any, s: Any, p: Vector) -
         for turning, moving in partials
     ]
     return [*carried, (AXIS, ZERO) if body.revolute else (ZERO, AXIS)]
+
+
+def minus(u: Vector, v: Vector) -> Vector:
+    """``u - v``."""
+    return u[0] - v[0], u[1] - v[1], u[2] - v[2]
 
 
 def each_joint(mark: Mark, vector: Vector, link: int, quantity: str, joint: int) -> Vector:
