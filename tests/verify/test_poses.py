@@ -8,13 +8,14 @@ from functools import cache
 import numpy as np
 import pytest
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.functions import function_named
 from robodyn.robot import load
 from robodyn.robot.model import Limits, Robot
 from robodyn.simulate.kinematics import Kinematics
 from robodyn.simulate.poses import PoseSolver
 from robodyn.verify.poses import pose_errors
-from robodyn.verify.reference import Floats, Reference
+from robodyn.verify.reference import Reference
 from robodyn.verify.sample import UNREACHABLE, draw, poses_of
 
 DOUBLE = np.dtype(np.float64)

@@ -14,14 +14,9 @@ from typing import Any, Final
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.bench.peers.calls import PEERS, Call, States, casadi_function, checked, own_calls, raced
-from robodyn.bench.peers.numbers import (
-    Disagreement,
-    Floats,
-    NumbersLacking,
-    hold_against,
-    numbers_of,
-)
+from robodyn.bench.peers.numbers import Disagreement, NumbersLacking, hold_against, numbers_of
 from robodyn.emit.render import environment
 from robodyn.errors import CheckError, ToolError
 from robodyn.kernels.generate import Options, generate, program

@@ -13,8 +13,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.evidence import doubtful
 from robodyn.diagnose.findings import findings_of
 from robodyn.diagnose.judgement import Lacking
@@ -26,8 +26,6 @@ from robodyn.diagnose.select.search import search
 from robodyn.diagnose.settle import Logs, Settled, settled
 from robodyn.identify.contact.contact import contacts
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -15,8 +15,8 @@ from os import PathLike
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.limits import (
     CORRELATION_RIDGE,
     EXCITE_NOISE,
@@ -37,9 +37,6 @@ from robodyn.robot.model import Robot
 from robodyn.simulate.limits import with_limits
 from robodyn.simulate.trajectories.fourier import fourier
 from robodyn.simulate.trajectories.trajectory import Trajectory
-
-Floats = NDArray[np.float64]
-
 
 #: An effect at a joint (from 1; None: all joints where it can be, or the whole robot).
 EffectAt = tuple[str, int | None]

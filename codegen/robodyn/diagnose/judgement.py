@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.limits import CLAIM, END_SHARE, MOSTLY, WITHDRAWN
 from robodyn.diagnose.result import Finding, Gap, Verdict
 from robodyn.diagnose.select.limits import (
@@ -23,8 +23,6 @@ from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
 from robodyn.gate.gate import Gate
 from robodyn.identify.predict import lacking
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 # --- what models leave ------------------------------------------------------------------------------------
 

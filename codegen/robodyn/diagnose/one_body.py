@@ -10,14 +10,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robodyn.diagnose.limits import BODY_ALIKE, BODY_EXPLAINED, BODY_POSES, BODY_SHARE
 from robodyn.gate.gate import Gate
 from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

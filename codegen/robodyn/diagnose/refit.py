@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.amend.amend import Amendment, apply_amendments
 from robodyn.diagnose.limits import (
     REFIT_SHARE,
@@ -33,7 +33,6 @@ from robodyn.robot.model import AXES, Link, Robot
 from robodyn.robot.parts import SHARE_NOT_STATED
 from robodyn.robot.rewriting import Place
 
-Floats = NDArray[np.float64]
 #: By the key of a joint that holds a number the name of its column.
 _COLUMNS = {"viscous": "viscous", "coulomb": "coulomb", "motor_inertia": "rotor"}
 _BODY = ("mass", "com_x", "com_y", "com_z", *(f"inertia_{axes}" for axes in AXES))

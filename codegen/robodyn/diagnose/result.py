@@ -9,11 +9,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.limits import ABOVE_NOISE, HALF_WIDTH
 from robodyn.robot.account import account_to_dict
 from robodyn.robot.model import Robot
 
-Floats = NDArray[np.float64]
 Verdict = Literal["missing_effect", "consistent", "unexplained"]
 
 

@@ -7,7 +7,6 @@ from os import PathLike
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robodyn.diagnose.accounts import accounted
 from robodyn.diagnose.amend.amend import apply_amendments, comments_of, difference
@@ -46,8 +45,6 @@ from robodyn.logs.log import Log, LogSource, log_of
 from robodyn.logs.signals import thinning
 from robodyn.robot.model import Robot
 from robodyn.robot.rewriting import rewritten
-
-Floats = NDArray[np.float64]
 
 
 def diagnose(

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
+from robodyn.arrays import Floats
 from robodyn.diagnose.amend.amend import Amendment, apply_amendments
 from robodyn.diagnose.judgement import Lacking, confirmed, gap_of, rms, standing, structure_left, verdict_of
 from robodyn.diagnose.limits import WITHDRAWN
@@ -27,8 +25,6 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.identify.contact.contact import without
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

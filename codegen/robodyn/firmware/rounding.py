@@ -15,12 +15,11 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.emit.spelling import nearest_float
 from robodyn.emit.trig import ARCTANGENT_ULPS, DOUBLE, FLOAT
 from robodyn.ir.program import Input, Operand, Program
 from robodyn.ir.signature import ScalarType
-
-Floats = NDArray[np.float64]
 
 #: What one rounding changes at most, as a share, and by how much more below the smallest normal number.
 UNIT: Mapping[ScalarType, float] = {"float": 2.0**-24, "double": 2.0**-53}

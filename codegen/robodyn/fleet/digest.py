@@ -23,6 +23,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.library.context import context_of
 from robodyn.errors import InputError
 from robodyn.fleet.limits import AFTER_TURN, CELL, LEAST_ROWS, MOST_CELLS, MOVES, RIDGE
@@ -38,7 +39,6 @@ from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import read_text
 
-Floats = NDArray[np.float64]
 #: Digests of another version are not mixed with these.
 DIGEST_VERSION: Final = "3"
 _BY_JOINT: Final = ("rows", "alike", "bursts", "struck", "speed", "acceleration", "torque")

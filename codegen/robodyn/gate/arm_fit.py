@@ -16,8 +16,8 @@ from functools import lru_cache
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.gate import limits
-from robodyn.gate.flag import Floats
 from robodyn.gate.readings import Reading
 from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot

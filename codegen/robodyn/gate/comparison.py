@@ -13,10 +13,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.effects import sensors
 from robodyn.gate import limits
 from robodyn.gate.arm_fit import ArmFit, Solution, Table
-from robodyn.gate.flag import Floats, named
+from robodyn.gate.flag import named
 from robodyn.gate.readings import Reading, as_logged, readings
 from robodyn.robot.model import Robot
 

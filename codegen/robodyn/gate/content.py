@@ -6,15 +6,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Mask
 from robodyn.gate import limits
-from robodyn.gate.flag import Flag, Floats, long_runs, motions, named
+from robodyn.gate.flag import Flag, long_runs, motions, named
 from robodyn.gate.grid import Grid
 from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import Robot
-
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)

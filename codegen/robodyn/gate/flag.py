@@ -9,11 +9,11 @@ from typing import NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.gate import limits
 from robodyn.robot.model import Robot
 
-Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
 

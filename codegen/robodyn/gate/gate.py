@@ -12,10 +12,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Mask
 from robodyn.errors import InputError, Place
 from robodyn.gate import limits
 from robodyn.gate.content import JointContent, content, steps_of
-from robodyn.gate.flag import Flag, Floats, Span, count, long_runs, motions, refuse
+from robodyn.gate.flag import Flag, Span, count, long_runs, motions, refuse
 from robodyn.gate.grid import on_grid
 from robodyn.gate.links import check_links, with_usable_links
 from robodyn.gate.model import check_model
@@ -28,8 +29,6 @@ from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
 
 __all__ = ["Flag", "Gate", "JointContent", "Span", "inspect"]
-
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

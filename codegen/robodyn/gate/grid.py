@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.gate import limits
-from robodyn.gate.flag import Flag, Floats, Rows, Span, span, spans_of
+from robodyn.gate.flag import Flag, Rows, Span, span, spans_of
 from robodyn.gate.rows import Usable
 from robodyn.logs.log import Log
 from robodyn.logs.signals import thinning

@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Mask
 from robodyn.gate import limits
 from robodyn.gate.flag import Flag, chunks, count, refuse, spans_of
 from robodyn.logs.log import Log
-
-Mask = NDArray[np.bool_]
 
 
 def with_usable_links(log: Log, flags: list[Flag]) -> Log:

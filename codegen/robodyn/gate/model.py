@@ -10,10 +10,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.gate import limits
 from robodyn.gate.arm_fit import ArmFit, States
 from robodyn.gate.comparison import Comparison, Trial
-from robodyn.gate.flag import Flag, Floats, motions, named, refuse
+from robodyn.gate.flag import Flag, motions, named, refuse
 from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_position

@@ -8,8 +8,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.gate import limits
-from robodyn.gate.flag import Flag, Floats, named, refuse
+from robodyn.gate.flag import Flag, named, refuse
 from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import Robot
 

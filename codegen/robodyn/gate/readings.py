@@ -10,8 +10,9 @@ from typing import Literal
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.gate import limits
-from robodyn.gate.flag import Floats, named
+from robodyn.gate.flag import named
 from robodyn.robot.model import Robot
 
 

@@ -9,16 +9,14 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Mask
 from robodyn.gate import limits
-from robodyn.gate.flag import Flag, Floats, Rows, chunks, count, named, refuse, span, spans_of
+from robodyn.gate.flag import Flag, Rows, chunks, count, named, refuse, span, spans_of
 from robodyn.gate.links import links_garbage
 from robodyn.gate.spikes import without_held, without_spikes
 from robodyn.logs.limits import FASTEST_RATE
 from robodyn.logs.log import Log
-
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

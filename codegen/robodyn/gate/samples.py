@@ -7,14 +7,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Mask
 from robodyn.gate import limits
-from robodyn.gate.flag import Flag, Floats, chunks, count, named, spans_of
+from robodyn.gate.flag import Flag, chunks, count, named, spans_of
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
-
-Mask = NDArray[np.bool_]
 
 
 def unwrapped(log: Log, robot: Robot, flags: list[Flag]) -> Log:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.gate import limits
-from robodyn.gate.flag import Floats
 from robodyn.logs.log import Log
 
 

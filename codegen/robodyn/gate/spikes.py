@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.gate import limits
-from robodyn.gate.flag import Flag, Floats, Rows, chunks, count, span, spans_of
+from robodyn.gate.flag import Flag, Rows, chunks, count, span, spans_of
 from robodyn.logs.log import Log
 
 

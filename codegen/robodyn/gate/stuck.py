@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.gate import limits
-from robodyn.gate.flag import Flag, Floats, Rows, refuse
+from robodyn.gate.flag import Flag, Rows, refuse
 from robodyn.gate.grid import Grid
 from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot

@@ -9,13 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robodyn.identify.fit import Fit
 from robodyn.identify.limits import UNSEEN_SHARE
 from robodyn.identify.plain import basis_of
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

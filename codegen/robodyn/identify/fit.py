@@ -14,8 +14,8 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.gate.gate import Gate
 from robodyn.identify.intervals import covariance, likeness
 from robodyn.identify.late import delays_of
@@ -38,7 +38,6 @@ from robodyn.kernels.array_dynamics import PARAMETERS, Model
 from robodyn.robot.masses import only_about_base_axis
 from robodyn.robot.model import Robot
 
-Floats = NDArray[np.float64]
 #: Index of the moment of inertia about the joint's axis in the parameters of a link.
 _ABOUT_AXIS = PARAMETERS.index("zz")
 

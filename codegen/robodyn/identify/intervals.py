@@ -9,13 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.identify.consistent import to_unit_diagonal
 from robodyn.identify.normal import Block
 from robodyn.identify.problem import Solution, Unknowns, normal, scores
-
-Floats = NDArray[np.float64]
 
 
 def likeness(residuals: Sequence[Floats], n: int) -> Floats:

@@ -9,13 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.identify.consistent import solve_definite
 from robodyn.identify.normal import Block
 from robodyn.identify.problem import Solution, Unknowns, scores
-
-Floats = NDArray[np.float64]
 
 
 def delays_of(

@@ -11,14 +11,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Indices
 from robodyn.dynamics.arm import Arm
 from robodyn.identify.regressor import Links
 from robodyn.identify.rows import Rows
 
-Floats = NDArray[np.float64]
-Indices = NDArray[np.intp]
 _OWN = ("viscous", "coulomb", "rotor", "offset")
 
 

@@ -8,12 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.toolchain.cache import Cache, content_key
 from robodyn.toolchain.compiler import C_FLAGS, find_c
-
-Floats = NDArray[np.float64]
 
 _PROTOTYPES = """
 typedef struct {

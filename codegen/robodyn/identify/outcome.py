@@ -9,8 +9,8 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.combined import combinations_of
 from robodyn.identify.consistent import inside
@@ -20,8 +20,6 @@ from robodyn.identify.problem import Unknowns
 from robodyn.kernels.array_dynamics import physical
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
 from robodyn.robot.values import ZERO
-
-Floats = NDArray[np.float64]
 
 #: By the name of a joint's column the key of the joint that holds it, or what a sensor's effect does.
 _KEYS = {"viscous": "viscous", "coulomb": "coulomb", "rotor": "motor_inertia"}

@@ -7,11 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Indices
 from robodyn.identify.consistent import solve_definite
 from robodyn.identify.limits import LEAST_NOISE, RANK, ROUNDS
-from robodyn.identify.normal import Block, Indices, Layout
-
-Floats = NDArray[np.float64]
+from robodyn.identify.normal import Block, Layout
 
 
 def sums(layout: Layout, blocks: Sequence[Block], weights: Floats) -> tuple[Floats, Floats]:

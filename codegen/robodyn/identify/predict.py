@@ -6,8 +6,8 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.effects.traits import Acts
 from robodyn.gate.gate import Gate
 from robodyn.identify.twist import behind_motors
@@ -17,8 +17,6 @@ from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.signals import Signals, knee, motion_cutoff, rates, smoothed_motion
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import acting_on, measured_torque
-
-Floats = NDArray[np.float64]
 
 
 @lru_cache(maxsize=8)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.identify.limits import (
     ASYMMETRY,
     FREE_SHARE,
@@ -22,8 +22,6 @@ from robodyn.identify.rows import bare
 from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Value
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

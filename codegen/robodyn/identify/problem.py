@@ -17,11 +17,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Indices
 from robodyn.identify.consistent import Cone, inside, minimum
 from robodyn.identify.limits import LEAST_NOISE, PRIOR_FREEDOM, ROUNDS, START_SHARE
-from robodyn.identify.normal import Block, Indices, Layout
-
-Floats = NDArray[np.float64]
+from robodyn.identify.normal import Block, Layout
 
 
 @dataclass(frozen=True, slots=True, eq=False)

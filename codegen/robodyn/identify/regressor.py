@@ -15,14 +15,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.arm import Arm, Motion, build_motion, origin, trigonometry_at
 from robodyn.dynamics.modified_newton_euler import forward_pass
 from robodyn.dynamics.vectors import unmarked
 from robodyn.robot.model import AXES
-
-Floats = NDArray[np.float64]
 
 #: Entries of a symmetric tensor by row and column.
 _ENTRIES = tuple(("xyz".index(axes[0]), "xyz".index(axes[1])) for axes in AXES)

@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.gate.gate import Gate
 from robodyn.identify.limits import END_SHARE
 from robodyn.identify.normal import Layout
@@ -22,8 +22,6 @@ from robodyn.identify.rows import bare, blocks_of, direction, kept_torque, true_
 from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -11,14 +11,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.arm import Arm
 from robodyn.identify.normal import Layout, chunks_of, columns_of
 from robodyn.identify.plain import shortest
 from robodyn.identify.rows import Rows, direction
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

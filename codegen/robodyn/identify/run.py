@@ -10,8 +10,8 @@ from os import PathLike
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
@@ -28,8 +28,6 @@ from robodyn.identify.residual import Squares, squares_of
 from robodyn.logs.log import Log, LogSource, log_of
 from robodyn.robot.account import account_to_dict
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.limits import (
     LAG_BEGIN,
@@ -24,8 +24,6 @@ from robodyn.identify.limits import (
 )
 from robodyn.identify.oscillator import Oscillator
 from robodyn.kernels.array_dynamics import Evaluated, Model, Moved
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

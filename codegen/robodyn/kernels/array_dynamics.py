@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.drives.drive import (
     Acting,
     Layer,
@@ -32,7 +32,6 @@ from robodyn.robot.filling import without_values
 from robodyn.robot.masses import require_masses
 from robodyn.robot.model import AXES, Robot
 
-Floats = NDArray[np.float64]
 #: Positions, velocities and accelerations [K, n].
 Moved = tuple[Floats, Floats, Floats]
 

@@ -13,8 +13,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.logs.limits import SAME_TIME
 from robodyn.logs.mapping import LogMap
@@ -23,8 +23,6 @@ from robodyn.logs.streams import Clock, Mean, Part, Sources, TimedPart, means_ap
 from robodyn.logs.units import convert
 from robodyn.logs.windows import Interpolation, Rows, cut, of_length
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

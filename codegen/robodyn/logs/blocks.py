@@ -9,7 +9,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label
@@ -23,8 +22,6 @@ from robodyn.logs.recording import Recording
 from robodyn.logs.resolve import usual_map
 from robodyn.logs.windows import Rows, cut, joined_rows, length_of
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 #: The groups of columns of a file with second encoders only.
 LINKS = ("t", "ql")

@@ -14,16 +14,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.logs.assemble import Block
 from robodyn.logs.blocks import log_blocks
 from robodyn.logs.mapping import LogMap
 from robodyn.logs.streams import CONDITION, Mean, mean_of
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -10,12 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.logs import windows
 from robodyn.logs.windows import Rows, length_of
 from robodyn.robot.names import shown
-
-Floats = NDArray[np.float64]
 
 #: Largest log [numbers in the columns that are read]: 2 GiB of doubles, more than any simulation writes.
 LARGEST = 1 << 28

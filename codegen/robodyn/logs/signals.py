@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.logs.limits import (
     CONTINUED,
     ENOUGH_CUTOFF,
@@ -23,8 +23,6 @@ from robodyn.logs.limits import (
     MOTION_OVER_NOISE,
 )
 from robodyn.logs.log import Log
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

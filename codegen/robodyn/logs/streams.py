@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.logs import windows
 from robodyn.logs.formats import open_recording
@@ -22,8 +22,6 @@ from robodyn.logs.recording import Recording, Stream, Table
 from robodyn.logs.resolve import Source, channel_of, joints_of, sources, stamp_of
 from robodyn.logs.units import date_of, of_stamps, seconds
 from robodyn.robot.names import shown
-
-Floats = NDArray[np.float64]
 
 #: What stands before the name of a condition where columns are listed by groups.
 CONDITION = "condition "

@@ -8,12 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.logs.limits import APART, STANDSTILL, STILL_TIME
 from robodyn.logs.log import Log
 from robodyn.logs.recording import Recording, Stream, Table
 from robodyn.logs.resolve import joints_in
-
-Floats = NDArray[np.float64]
 
 #: Numbers that are read at once, columns of a stream that are looked at, and rows that are kept of each.
 AT_ONCE, COLUMNS, KEPT = 1 << 25, 512, 20_000

@@ -10,14 +10,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.logs.mapping import NUMBERS, Channel
 from robodyn.robot.model import Robot
 from robodyn.robot.names import shown
 from robodyn.robot.numbers import NumberError, parse
 from robodyn.robot.values import PI
-
-Floats = NDArray[np.float64]
 
 #: The SI units of each group; N, m of a prismatic joint.
 SI: Final = {"t": "s", "q": "rad", "ql": "rad", "qd": "rad/s", "qdd": "rad/s^2", "tau": "N m"}

@@ -9,10 +9,10 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.logs.limits import APART
 
-Floats = NDArray[np.float64]
 #: Columns [k] or [k, m] of the same rows, by name.
 Rows = Mapping[str, NDArray[Any]]
 

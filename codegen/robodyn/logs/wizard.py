@@ -9,8 +9,8 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.logs.assemble import assemble
 from robodyn.logs.blocks import with_second
@@ -23,8 +23,6 @@ from robodyn.logs.propose import propose
 from robodyn.logs.recording import Recording
 from robodyn.logs.survey import LogFacts, StreamFacts, facts_of, look
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 #: Rows at which gravity is evaluated.
 STATES = 4000

@@ -8,8 +8,8 @@ from typing import Any, Final
 
 import numpy as np
 from markupsafe import Markup
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.counts import count
 from robodyn.counts.peers import TITLES, operations_of_peers, versions_of_peers
 from robodyn.counts.thesis import beside
@@ -27,8 +27,6 @@ from robodyn.robot.model import Robot
 from robodyn.schedule import Machine, Solved, solve
 from robodyn.simulate.limits import with_limits
 from robodyn.version import VERSION
-
-Floats = NDArray[np.float64]
 
 #: What the page computes of the arm.
 FUNCTIONS: Final = (

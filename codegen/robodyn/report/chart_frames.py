@@ -13,9 +13,8 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.draw.scales import date_ticks, ticks
-
-Floats = NDArray[np.float64]
 
 WIDE: Final = 1000
 HIGH: Final = 400

@@ -10,13 +10,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.limits import ABOVE_NOISE
 from robodyn.diagnose.result import Diagnosis, Series, Window
 from robodyn.report.chart_frames import Chart, Frame, Mark, Shade, percent, runs, span
 from robodyn.report.figures import formatted
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 #: What a residual may follow, the simplest first.
 QUANTITIES: Final = (

@@ -10,15 +10,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.limits import CLAIM
 from robodyn.diagnose.result import Bounds, Diagnosis, Estimate, Finding
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.traits import Traits
 from robodyn.report.figures import UNITS
-
-Floats = NDArray[np.float64]
 
 #: An error so many times its value says nothing; of a size, as many.
 _UNSEEN, _UNSEEN_SIZE = 20.0, 1.0

@@ -8,13 +8,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.draw.scales import DAY
 from robodyn.fleet.result import Claim, Feature, FleetResult, Reading, TypeResult, UnitResult
 from robodyn.report import fleet_text as words
 from robodyn.report.chart_frames import Chart, Frame, Mark, Shade, percent, span
 from robodyn.report.figures import capital
-
-Floats = NDArray[np.float64]
 
 #: Half an interval that holds 95 of 100 errors, and the band that holds 95 of 100 siblings, in standard
 #: deviations.

@@ -7,14 +7,12 @@ from collections.abc import Sequence
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.logs.log import Log
 from robodyn.logs.map_text import map_text
 from robodyn.logs.survey import ColumnFacts, LogFacts, StreamFacts
 from robodyn.logs.wizard import Examination, JointCheck
-
-Floats = NDArray[np.float64]
 
 #: Streams, columns of a stream, and rows and columns of the mapped log that are shown; cells of a sparkline.
 _STREAMS, _COLUMNS, _ROWS, _WIDE, _CELLS = 8, 40, 3, 9, 48

@@ -6,15 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.drives.coupling import coupler_of
 from robodyn.drives.drive import combined, layer_of, rigid_part
 from robodyn.dynamics.arm import build_arm, build_motion, trigonometry_at
 from robodyn.dynamics.reference import energies
 from robodyn.simulate.system import System
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

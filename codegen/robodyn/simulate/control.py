@@ -8,11 +8,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
-
-Floats = NDArray[np.float64]
 
 HELD_TABLE, LINEAR_TABLE, PD, COMPUTED_TORQUE = range(4)
 

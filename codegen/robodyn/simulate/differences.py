@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
-
-Floats = NDArray[np.float64]
 
 #: Samples are evenly spaced if no interval differs from the mean by more than this share of it.
 EVEN = 1e-6

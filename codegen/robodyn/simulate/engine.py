@@ -25,14 +25,14 @@ from pathlib import Path
 from typing import Any, Final, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, ToolError
 from robodyn.simulate.control import LINEAR_TABLE, Control
 from robodyn.toolchain.cache import Cache, content_key
 from robodyn.toolchain.compiler import C_FLAGS, find_c
 
-Floats = NDArray[np.float64]
 Method = Literal["rk4", "adaptive"]
 
 #: Tolerances of adaptive steps unless others are named: relative, and absolute [rad, m and their rates].

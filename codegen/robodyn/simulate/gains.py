@@ -6,15 +6,13 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.ir.evaluate import REAL_FUNCTIONS, evaluate
 from robodyn.ir.program import Input
 from robodyn.simulate.shape import without_inertia
 from robodyn.simulate.system import System
 from robodyn.simulate.trajectories.trajectory import Trajectory
-
-Floats = NDArray[np.float64]
 
 #: Natural frequency of the controlled joints [rad/s], where the control's rate allows it.
 STIFFEST = 30.0

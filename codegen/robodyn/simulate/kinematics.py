@@ -7,16 +7,15 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.arm import Arm, JointAngle, build_arm, build_motion
 from robodyn.dynamics.kinematics import frames, jacobian, jacobian_rate
 from robodyn.dynamics.vectors import Frame
 from robodyn.errors import InputError
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 class Kinematics:

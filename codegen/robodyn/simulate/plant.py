@@ -8,12 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.emit.c_syntax import static_function
 from robodyn.errors import InputError
 from robodyn.ir.program import Program
 from robodyn.kernels.generate import Options, maker
 from robodyn.robot.model import EffectEntry, Robot
-from robodyn.simulate.engine import Engine, Floats, build_engine
+from robodyn.simulate.engine import Engine, build_engine
 from robodyn.simulate.sensors import acting_on
 from robodyn.simulate.system import System, system_of
 

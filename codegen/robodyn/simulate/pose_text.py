@@ -10,12 +10,10 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.files import label, parsed_json, read_text
-
-Floats = NDArray[np.float64]
 
 #: Largest file of poses [bytes], and most poses in one.
 _SIZE, _MOST = 1 << 26, 100_000

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.functions import function_named
 from robodyn.dynamics.inverse import Numerical
 from robodyn.dynamics.inverse.limits import STARTS
@@ -30,8 +31,6 @@ from robodyn.simulate.kinematics import (
     position_limits,
     rotation_vector,
 )
-
-Floats = NDArray[np.float64]
 
 #: All branches, and the nearest.
 _FUNCTIONS = ("inverse_kinematics", "nearest_inverse_kinematics")

@@ -14,14 +14,13 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal, TypeVar, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.effects.traits import Acts, Channel
 from robodyn.errors import InputError
 from robodyn.robot.model import EffectEntry
 from robodyn.simulate.differences import difference, low_pass
 
-Floats = NDArray[np.float64]
 #: One number for all joints, or one for each.
 PerJoint = float | tuple[float, ...]
 Rate = Literal["true", "difference", "filtered", "none"]

@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of
 from robodyn.logs.log import Log
@@ -29,7 +30,6 @@ from robodyn.simulate.sensors import Sensors, measure
 from robodyn.simulate.start import start_state
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
-Floats = NDArray[np.float64]
 Law = Literal["feedforward", "pd", "computed_torque"]
 LAWS = ("feedforward", "pd", "computed_torque")
 PERIOD = 1e-3

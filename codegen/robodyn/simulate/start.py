@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.drives.coupling import coupler_of
 from robodyn.drives.drive import Layer, Loads, Rates, layer_of, passed_on, rigid_part
 from robodyn.dynamics.arm import Arm, JointAngle, Trigonometry, build_arm, build_motion, trigonometry_at
@@ -20,8 +20,6 @@ from robodyn.optimize.costing import exact
 from robodyn.optimize.programs import turned
 from robodyn.passes import FRESH, run
 from robodyn.simulate.system import System
-
-Floats = NDArray[np.float64]
 
 
 def start_state(

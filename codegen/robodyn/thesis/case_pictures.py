@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
+from robodyn.arrays import Floats
 from robodyn.draw.panels import Curve, Panel, figure
 from robodyn.effects import thesis_friction as friction
 from robodyn.effects.efficiency import efficiency_at
 from robodyn.thesis.case_arm import efficiency_curve, efficiency_points
-from robodyn.thesis.case_study import LABEL, Floats, Study
+from robodyn.thesis.case_study import LABEL, Study
 from robodyn.thesis.printed import TABLE_3_4
 
 _TIME: Final = "t [s]"

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.effects.efficiency import efficiency_at
 from robodyn.errors import InputError
 from robodyn.kernels.robot_kernel import compile as compile_kernel
@@ -21,8 +21,6 @@ from robodyn.simulate.simulation import Follow, simulate
 from robodyn.simulate.trajectories import ProfileName, Trajectory, line
 from robodyn.thesis.case_arm import ARMS, D4_BRANCH, D4_START, Arm, Led, Robots, efficiency_curve, led, robots
 from robodyn.thesis.printed import TABLE_3_4
-
-Floats = NDArray[np.float64]
 
 LABEL: Final = "a new study on stated assumptions, not the thesis's Figures 3.6 to 3.13"
 

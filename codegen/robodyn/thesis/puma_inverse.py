@@ -21,14 +21,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.simulate.kinematics import closest_turns
 from robodyn.verify.numbers import exact_value, filled, real
 
-Floats = NDArray[np.float64]
 #: Signs of u (+1 and -1: the two shoulders) and of psi (the two elbows).
 Branch = tuple[int, int]
 BRANCHES: tuple[Branch, ...] = ((1, 1), (1, -1), (-1, 1), (-1, -1))

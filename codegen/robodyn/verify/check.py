@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.functions import INPUTS, Function, function_named
 from robodyn.dynamics.functions.fusing import parts_of
 from robodyn.errors import InputError, ToolError
@@ -38,7 +39,7 @@ from robodyn.verify.oracles import (
     reference_oracle,
 )
 from robodyn.verify.poses import pose_errors, references
-from robodyn.verify.reference import Floats, Reference
+from robodyn.verify.reference import Reference
 from robodyn.verify.report import Comparison, VerifyReport
 from robodyn.verify.sample import draw, draw_parameters, drawn_besides, poses_of
 from robodyn.verify.stateful import Stepping

@@ -12,13 +12,12 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
 
-Floats = NDArray[np.float64]
 #: Where in a drive an effect can act that is its printed equation and nothing else.
 PLACES = ("link", "bearing", "gear", "motor")
 

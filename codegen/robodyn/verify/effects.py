@@ -18,14 +18,13 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.robot.values import Affine
 from robodyn.verify.declared import declared_place, declared_torque
 from robodyn.verify.numbers import Parameters, exact_value, length, real, sign, size
 
-Floats = NDArray[np.float64]
 #: Parameters of an effect by name: floats, words, knots, numbers of joints.
 Settings = Mapping[str, Any]
 

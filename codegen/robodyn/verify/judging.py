@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.functions import Function
 from robodyn.robot.model import Robot
 from robodyn.verify.numbers import real
-from robodyn.verify.reference import Floats
 
 #: Share of what is added up, in double, that is nothing but rounding.
 _ROUNDING = 64 * 2.0**-52

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.robot.model import Joint, Robot
 from robodyn.robot.values import Value
@@ -31,7 +32,6 @@ from robodyn.verify.numbers import Parameters, exact_value, filled, real
 #: multiples of pi/2 are easy (six joints: some seconds), general ones are not (four joints: half a minute).
 LIMIT = 3
 
-Floats = NDArray[np.float64]
 Torque = Callable[[ArrayLike, ArrayLike, ArrayLike], Floats]
 Matrix = list[list[Any]]
 

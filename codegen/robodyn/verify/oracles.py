@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.drives.drive import layer_of, rigid_part
 from robodyn.dynamics.arm import (
     Arm,
@@ -35,7 +36,7 @@ from robodyn.verify.exact import exact_torque, exact_torque_slope
 from robodyn.verify.free_bodies import joint_reactions
 from robodyn.verify.lagrangian import lagrangian
 from robodyn.verify.numbers import Parameters, filled, real
-from robodyn.verify.reference import Floats, Reference
+from robodyn.verify.reference import Reference
 
 if TYPE_CHECKING:
     from robodyn.dynamics.base_set import BaseParameter

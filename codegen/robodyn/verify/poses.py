@@ -10,12 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.functions.record import Answers, Function
 from robodyn.dynamics.inverse import Inverse, Numerical
 from robodyn.dynamics.inverse.limits import EDGE, WEAK_NEAR
 from robodyn.optimize.programs import inverse_kinematics_of
 from robodyn.robot.model import Robot
-from robodyn.verify.reference import Floats, Reference
+from robodyn.verify.reference import Reference
 from robodyn.verify.sample import is_reachable
 
 #: How near a limit [rad or m] a joint may be for rounding to decide whether it is within.

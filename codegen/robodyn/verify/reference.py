@@ -18,10 +18,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.robot.model import EffectEntry, Inertia, Link, Placement, Robot
 from robodyn.verify.effects import Drives, Reactions
-from robodyn.verify.effects import Floats as Floats
 from robodyn.verify.numbers import Parameters, exact_value, filled
 from robodyn.verify.numbers import real as rounded
 

@@ -11,13 +11,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.functions.record import PI
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.robot.filling import parameter_values
 from robodyn.robot.model import Joint, Robot
 from robodyn.verify.numbers import Parameters, real
-from robodyn.verify.reference import Floats, Reference
+from robodyn.verify.reference import Reference
 
 # However wide the limits are: an angle of many turns loses the digits of its offset, and what is squared must
 # stay a number.

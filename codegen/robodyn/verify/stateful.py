@@ -13,9 +13,10 @@ from typing import Any
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.verify.declared import NoReferenceError
-from robodyn.verify.effects import Drives, Floats, Reactions, Settings, place_of, settings
+from robodyn.verify.effects import Drives, Reactions, Settings, place_of, settings
 from robodyn.verify.numbers import Parameters, filled
 from robodyn.verify.reference import Reference
 

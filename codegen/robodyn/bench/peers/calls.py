@@ -13,7 +13,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from robodyn.bench.peers.numbers import Floats, LinkNumbers, Numbers, hold_against, numbers_of
+from robodyn.arrays import Floats
+from robodyn.bench.peers.numbers import LinkNumbers, Numbers, hold_against, numbers_of
 from robodyn.dynamics.arm import JointAngle, build_arm, build_motion
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.robot.model import Robot

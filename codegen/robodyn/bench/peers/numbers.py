@@ -9,10 +9,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import CheckError, InputError
 from robodyn.robot.model import AXES, Link, Robot
-
-Floats = NDArray[np.float64]
 
 
 class NumbersLacking(InputError):

@@ -10,8 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.blind.limits import DRAWN_SAMPLES, LOADED_SHARE, SIZE_TOLERANCE, SIZE_TRIALS
 from robodyn.effects.catalogue import CATALOGUE
@@ -24,7 +24,6 @@ from robodyn.robot.effects import belongs
 from robodyn.robot.model import Robot
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
-Floats = NDArray[np.float64]
 Parameters = dict[str, float | str]
 
 

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.blind.drawn import draw, form, places, settings, sized, usual
 from robodyn.diagnose.blind.limits import (
@@ -42,8 +42,6 @@ from robodyn.simulate.sensors import Sensors, measure, measured_position, measur
 from robodyn.simulate.simulation import Follow, simulate
 from robodyn.simulate.trajectories.fourier import fourier
 from robodyn.simulate.trajectories.trajectory import Trajectory
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,8 @@ from itertools import product
 from statistics import NormalDist
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.families import Family, Key
 from robodyn.diagnose.select.library import Candidate
 from robodyn.diagnose.select.limits import PRACTICAL
@@ -20,8 +20,6 @@ from robodyn.diagnose.select.score import Trial, held_out
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.kernels.array_dynamics import physical
 from robodyn.robot.model import AXES
-
-Floats = NDArray[np.float64]
 
 
 def is_other_law(one: Family, key: Key) -> bool:

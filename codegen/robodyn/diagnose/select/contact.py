@@ -11,8 +11,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Mask
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.limits import (
     CONTACT_CONFIDENCE,
@@ -25,9 +25,6 @@ from robodyn.effects.rigid import CONTACT
 from robodyn.gate.gate import Gate
 from robodyn.identify.contact.contact import Contact, contacts, without_windows
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)

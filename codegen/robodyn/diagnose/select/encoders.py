@@ -21,6 +21,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.limits import (
     BLOCKS,
@@ -34,7 +35,6 @@ from robodyn.gate.gate import Gate
 from robodyn.logs.signals import low_pass, signals_of
 from robodyn.robot.model import Robot
 
-Floats = NDArray[np.float64]
 #: The columns of a fit.
 _TORQUE, _WAY, _SPEED, _RATE = range(4)
 

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.limits import HALF_WIDTH
 from robodyn.diagnose.result import Bounds
 from robodyn.diagnose.select.compare import read_link
@@ -25,8 +25,6 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.diagnose.select.members import Fit, Member
 from robodyn.effects.catalogue import CATALOGUE
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Singles
 from robodyn.diagnose.select.library import Candidate, candidates, without_regressor
 from robodyn.diagnose.select.library.matched import along, light
 from robodyn.diagnose.select.library.prepared import prepared
@@ -17,8 +17,6 @@ from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.friction import COULOMB
 
-Floats = NDArray[np.float64]
-Singles = NDArray[np.float32]
 #: The unit of a speed, as parameters have it.
 SPEED = "rad/s"
 #: An effect's id and its joint (from 1), None where it is of the whole robot.

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.families import Family, Key
 from robodyn.diagnose.select.library.sensors import leave_little
@@ -22,8 +22,6 @@ from robodyn.diagnose.select.noise import rest_of
 from robodyn.diagnose.select.rows import Rows
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

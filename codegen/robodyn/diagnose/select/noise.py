@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.families import Family
 from robodyn.diagnose.select.library import regressor_seen
 from robodyn.diagnose.select.limits import BLOCKS, TOLERANCE
@@ -19,8 +20,6 @@ from robodyn.diagnose.select.rows import Rows, with_noise
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.kernels.array_dynamics import Model as ArrayModel
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 def rest_of(robot: Robot, rows: Rows) -> Floats:

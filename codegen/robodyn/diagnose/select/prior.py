@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.library.several import usual_sizes
 from robodyn.diagnose.select.limits import LEAST_CENTRE, LEAST_INERTIA
 from robodyn.kernels.array_dynamics import Model
-
-Floats = NDArray[np.float64]
 
 
 def prior_scales(model: Model, least: float = 0.0) -> Floats:

@@ -11,8 +11,8 @@ fades (Karnopp 1985 has an interval about zero velocity; the course in it is tak
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.library import Context
 from robodyn.effects.traits import Dahl
 from robodyn.identify.oscillator import dahl_deflection
@@ -20,8 +20,6 @@ from robodyn.identify.predict import given_torque, offsets
 from robodyn.identify.twist import behind_motors
 from robodyn.kernels.array_dynamics import Model
 from robodyn.simulate.sensors import measured_torque
-
-Floats = NDArray[np.float64]
 
 
 def remainder(model: Model, c: Context) -> Floats:

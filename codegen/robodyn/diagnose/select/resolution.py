@@ -6,16 +6,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.limits import RANGE, RESOLUTION
 from robodyn.diagnose.select.members import Fit, solve
 from robodyn.diagnose.select.rows import Rows, with_speeds
 from robodyn.diagnose.select.score import Trial, log_likelihood
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.prior import number_of
-
-Floats = NDArray[np.float64]
 
 
 def likelier_speeds(fit: Fit, expected: Floats, threshold: float, best: Trial | None) -> Floats | None:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.library.candidate import Context
 from robodyn.diagnose.select.library.context import context_of
 from robodyn.diagnose.select.limits import BLOCKS, GUARD, LEAST_NOISE_SHARE, SHORTEST_PIECE
@@ -23,8 +24,6 @@ from robodyn.logs.limits import MOTION_WIDER
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Singles
 from robodyn.diagnose.limits import HALF_WIDTH
 from robodyn.diagnose.select.families import Family
 from robodyn.diagnose.select.limits import ABOVE_FLOOR, RIDGE
@@ -16,9 +16,6 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.friction import COULOMB
 from robodyn.identify.prior import number_of
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
-Singles = NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,8 +7,8 @@ from dataclasses import replace
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Singles
 from robodyn.diagnose.select.families import Family, is_resolved
 from robodyn.diagnose.select.library import without_regressor
 from robodyn.diagnose.select.library.matched import light
@@ -17,9 +17,6 @@ from robodyn.diagnose.select.limits import FINEST, FIT_WORTH
 from robodyn.diagnose.select.members import Fit, Member, Model, solve
 from robodyn.diagnose.select.rows import Rows
 from robodyn.diagnose.select.score import Trial, trials
-
-Floats = NDArray[np.float64]
-Singles = NDArray[np.float32]
 
 
 def tuned(model: Model, new: Member) -> Member:

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.effects.friction import COULOMB, VISCOUS
 from robodyn.effects.rigid import PAYLOAD
 from robodyn.effects.sensors import BIAS, GAIN
@@ -17,7 +17,6 @@ from robodyn.fleet.pool.numbers import LogNumbers
 from robodyn.fleet.pool.population import known_median
 from robodyn.robot.model import Robot
 
-Floats = NDArray[np.float64]
 Kind = Literal["friction", "offset", "gain", "play", "unexplained", "body"]
 
 

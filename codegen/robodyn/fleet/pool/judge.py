@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import false_discovery_control, t
 
+from robodyn.arrays import Floats
 from robodyn.fleet.digest import Digest
 from robodyn.fleet.limits import ALWAYS, FALSE_NAMES
 from robodyn.fleet.pool.events import lost_dates, unit_events
@@ -21,7 +21,6 @@ from robodyn.fleet.pool.type_model import TypeModel, type_model
 from robodyn.fleet.result import Claim, FleetResult, OddLog, Unused
 from robodyn.fleet.sources.fleet import Fleet
 
-Floats = NDArray[np.float64]
 _Claims = dict[tuple[int, int], list[Claim]]
 
 

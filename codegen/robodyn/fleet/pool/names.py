@@ -6,16 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import false_discovery_control
 
+from robodyn.arrays import Floats
 from robodyn.fleet.limits import CALM
 from robodyn.fleet.pool.features import Kind
 from robodyn.fleet.pool.population import freedom_of
 from robodyn.fleet.pool.scan import Course, course_of, keys_of
 from robodyn.fleet.pool.type_model import TypeModel
 
-Floats = NDArray[np.float64]
 #: Kinds of features that are no harm where they fall.
 _HARM_BY_GROWTH: tuple[Kind, ...] = ("play", "unexplained")
 #: A type, a unit and a feature of it, by their places.

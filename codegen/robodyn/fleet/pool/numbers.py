@@ -18,6 +18,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.fleet.digest import Digest
 from robodyn.fleet.limits import ANY_NUMBER, BODY_SHARE, GAIN_SHARE, LINK_SHARE
 from robodyn.fleet.pool.population import known_median
@@ -25,7 +26,6 @@ from robodyn.identify.normal import Layout
 from robodyn.identify.prior import Usual, prior_of
 from robodyn.robot.model import Robot
 
-Floats = NDArray[np.float64]
 #: What a log tells of the drive of each joint: friction, offset and gain of its torque.
 DRIVES: Final = ("viscous", "coulomb", "offset", "gain")
 #: What a log tells of a body at the tip: its mass and first moments [kg, kg m].

@@ -14,10 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import optimize, special
 
+from robodyn.arrays import Floats, Indices
 from robodyn.fleet.limits import SURE_SLOPE, TRIMMED
 
-Floats = NDArray[np.float64]
-Indices = NDArray[np.intp]
 #: The median of the square of a normal number, and one over that of its size.
 _MEDIAN_SQUARE, _MAD = 0.455, 1.4826
 #: Sets of logs from which a scatter is learned, at least.

@@ -9,14 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from robodyn.arrays import Floats, Indices
 from robodyn.fleet.digest import Digest
 from robodyn.fleet.limits import COVERED, FALSE_NAMES, PART_COVERED, PERMUTATIONS
-
-Floats = NDArray[np.float64]
-Indices = NDArray[np.intp]
 
 
 def programs_of(units: Indices, digest: Callable[[int], Digest]) -> Indices:

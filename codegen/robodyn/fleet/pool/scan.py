@@ -16,11 +16,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Indices
 from robodyn.fleet.limits import DATES, LEAST_LOGS, ONE_LOG, PERMUTATIONS
 from robodyn.fleet.pool.population import Population
 
-Floats = NDArray[np.float64]
-Indices = NDArray[np.intp]
 #: Entries of arrays that are worked on together.
 _TOGETHER = 4_000_000
 

@@ -29,7 +29,6 @@ from robodyn.fleet.result import (
 from robodyn.fleet.sources.dates import DAY
 from robodyn.robot.account import account_lines
 
-Floats = NDArray[np.float64]
 _SLOW_AND_FAST = "record it moving both ways at two speeds for half a minute"
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Indices
 from robodyn.fleet.digest import Digest
 from robodyn.fleet.limits import CLOCK_OFF
 from robodyn.fleet.pool.features import Readings, Watched, readings_of, watched
@@ -17,9 +18,6 @@ from robodyn.fleet.pool.programs import programs_of
 from robodyn.fleet.sources.fleet import ArmType, LogFile
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import read_text
-
-Floats = NDArray[np.float64]
-Indices = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Mask
 from robodyn.identify.contact.limits import (
     BURST_ENERGY,
     BURST_HIGH,
@@ -38,9 +39,6 @@ from robodyn.identify.contact.limits import (
 )
 from robodyn.identify.contact.rough import Rough
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

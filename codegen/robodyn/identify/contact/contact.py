@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Mask
 from robodyn.gate.gate import Gate
 from robodyn.identify.contact.bursts import Burst, Seen, bursts, seen, widened
 from robodyn.identify.contact.force import Push, Window, push_in
@@ -40,9 +41,6 @@ from robodyn.identify.contact.limits import (
 from robodyn.identify.contact.rough import Rough, fitted_rest, rough_signals
 from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

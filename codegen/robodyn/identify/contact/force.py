@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.kinematics import frames
 from robodyn.identify.contact.limits import (
     ALL_ERROR,
@@ -30,8 +31,6 @@ from robodyn.identify.contact.limits import (
     TURNED,
 )
 from robodyn.kernels.array_dynamics import Model
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Mask
 from robodyn.gate.gate import Gate
 from robodyn.identify.contact.limits import (
     CONTACT_BAND,
@@ -23,9 +24,6 @@ from robodyn.identify.contact.limits import (
 from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
 from robodyn.logs.signals import Signals, signals_of
-
-Floats = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

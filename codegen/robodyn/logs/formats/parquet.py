@@ -8,16 +8,14 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.logs.formats import LogFormat
 from robodyn.logs.recording import Groups, Recording, Stream
 from robodyn.logs.windows import Rows
 from robodyn.robot.names import shown
 from robodyn.tools.libraries import PYARROW
-
-Floats = NDArray[np.float64]
 
 #: Rows that are read at once.
 BATCH: Final = 1 << 16

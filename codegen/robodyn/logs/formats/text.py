@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.files import open_regular
 from robodyn.logs.dialect import (
@@ -34,8 +34,6 @@ from robodyn.logs.formats import LogFormat
 from robodyn.logs.recording import Groups, Recording, Stream
 from robodyn.logs.windows import Rows
 from robodyn.robot.names import shown
-
-Floats = NDArray[np.float64]
 
 #: Largest header, and largest line of a log [bytes].
 LINE = 1 << 20

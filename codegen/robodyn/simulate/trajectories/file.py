@@ -12,13 +12,11 @@ from os import PathLike
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.files import read_text
 from robodyn.simulate.trajectories.trajectory import Trajectory, end_rates, hermite, least_jerk, uneven_sample
-
-Floats = NDArray[np.float64]
 
 #: Largest file of a motion or of torques [bytes].
 LARGEST = 1 << 28

@@ -7,13 +7,11 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.robot.model import Robot
 from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, sample_times
-
-Floats = NDArray[np.float64]
 
 _PER_HARMONIC = 256  # points of the grid on which extremes are sought, a period of the highest harmonic
 _SHARE = 0.98

@@ -7,12 +7,12 @@ from functools import partial
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, joint_vector, sample_times
 
-Floats = NDArray[np.float64]
 ProfileName = Literal["quintic", "trapezoid", "constant"]
 #: Share of the way [K], its rate [K] (1/s) and the rate's rate [K] (1/s^2) at times [K] (s).
 Profile = Callable[[Floats], tuple[Floats, Floats, Floats]]

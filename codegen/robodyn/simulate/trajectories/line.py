@@ -10,8 +10,9 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.inverse import Numerical
 from robodyn.errors import InputError
 from robodyn.robot.model import Placement, Robot
@@ -20,8 +21,6 @@ from robodyn.simulate.kinematics import Kinematics, closest_turns, is_revolute, 
 from robodyn.simulate.poses import PoseSolver, Solution
 from robodyn.simulate.trajectories.joints import Profile, ProfileName, profile_of
 from robodyn.simulate.trajectories.trajectory import PERIOD, Trajectory, hermite, joint_vector, sample_times
-
-Floats = NDArray[np.float64]
 
 #: How far a joint may go from one sample to the next [rad or m]: further is another branch.
 _LARGEST_JUMP = math.pi / 2

@@ -8,11 +8,10 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError
 
-Floats = NDArray[np.float64]
 #: Positions, velocities and accelerations [K, n] at times [K] (s).
 Law = Callable[[Floats], tuple[Floats, Floats, Floats]]
 

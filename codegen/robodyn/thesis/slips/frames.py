@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.counts.general import Tally
 from robodyn.dynamics.arm import Body, Symmetric
 from robodyn.dynamics.modified_newton_euler import Kinematics, inertia_moment
@@ -22,8 +22,6 @@ from robodyn.thesis import steps
 from robodyn.thesis.printed import bundled
 from robodyn.thesis.slips import Comparison, compare
 from robodyn.thesis.slips.recursion import SLIPS, STATES, Recursion, scalars, states
-
-Floats = NDArray[np.float64]
 
 PUMA: Final = "puma560"
 STANFORD: Final = "stanford"

@@ -8,14 +8,12 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.effects import thesis_friction as friction
 from robodyn.thesis.case_arm import efficiency_point
 from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5
 from robodyn.thesis.slips import Comparison, compare
-
-Floats = NDArray[np.float64]
 
 _COUNT: Final = 1000
 #: Ratios of gears at which Eq 3.11 is tried.

@@ -12,8 +12,8 @@ from fractions import Fraction
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.arm import origin
 from robodyn.robot.model import Robot
 from robodyn.schedule.arithmetic import one_after_another, run_tasks
@@ -42,8 +42,6 @@ from robodyn.thesis.tables.operations import journal
 from robodyn.thesis.tables.programs import D4_PRINTED
 from robodyn.thesis.tables.tasks import flops
 from robodyn.verify.reference import Reference
-
-Floats = NDArray[np.float64]
 
 # --- sums -------------------------------------------------------------------------------------------------
 

@@ -13,8 +13,8 @@ from functools import cache
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.arm import Arm, Body, Motion, build_arm, build_motion, origin, trigonometry_at
 from robodyn.dynamics.joints import joint_torque
 from robodyn.dynamics.modified_newton_euler import NO_ROTATION, Lambda
@@ -27,7 +27,6 @@ from robodyn.thesis.slips import Comparison, compare
 from robodyn.verify.numbers import real
 from robodyn.verify.reference import Reference
 
-Floats = NDArray[np.float64]
 States = tuple[Floats, Floats, Floats]
 
 #: States drawn for a comparison, and reaches of positions, rates and accelerations [rad or m, per second].

@@ -16,6 +16,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.dynamics.arm import build_arm, build_motion, trigonometry_at
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.ir.program import Label
@@ -24,8 +25,6 @@ from robodyn.thesis.case_arm import D4_BRANCH, FOREARM, Led, led, led_at
 from robodyn.thesis.printed import TABLE_3_4, TABLE_3_5, bundled
 from robodyn.thesis.puma_inverse import BRANCHES
 from robodyn.verify.numbers import real
-
-Floats = NDArray[np.float64]
 
 #: Four sets of parameters that the thesis has for this arm; that of D.1.1, the fifth, has no rotors.
 SETS: Final = ("puma560_3dof", "puma560_3dof_d3", "puma560_3dof_d12", "puma560_3dof_d4")

@@ -15,6 +15,7 @@ from xml.parsers.expat import ExpatError
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.files import MIB, label, read_bytes
 from robodyn.formats.conversion import spring_of
@@ -27,7 +28,7 @@ from robodyn.verify.against.by_mujoco import MujocoFile
 from robodyn.verify.against.by_pinocchio import PinocchioFile
 from robodyn.verify.check import TOLERANCE
 from robodyn.verify.judging import relative_to
-from robodyn.verify.reference import Floats, Reference
+from robodyn.verify.reference import Reference
 from robodyn.verify.report import Comparison, VerifyReport
 from robodyn.verify.sample import Sample, draw
 

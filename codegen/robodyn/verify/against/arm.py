@@ -10,12 +10,12 @@ from typing import Final
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.formats.tree import names as names_shown
 from robodyn.formats.tree import near
 from robodyn.robot.model import Robot
 from robodyn.robot.names import shown
-from robodyn.verify.reference import Floats
 
 #: Begins what a joint is called that has no name in the file.
 NAMELESS: Final = "joint without a name "

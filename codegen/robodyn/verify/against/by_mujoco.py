@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.files import label
 from robodyn.robot.model import Robot
@@ -22,7 +23,6 @@ from robodyn.verify.against.arm import (
     joints_in_file,
     title_of,
 )
-from robodyn.verify.reference import Floats
 
 
 @dataclass(frozen=True, slots=True)

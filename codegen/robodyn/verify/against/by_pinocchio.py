@@ -10,12 +10,12 @@ from xml.dom.minidom import Element
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
 from robodyn.files import label
 from robodyn.robot.model import Robot
 from robodyn.tools.libraries import PINOCCHIO
 from robodyn.verify.against.arm import Follower, Frames, PeerArm, Resting, joints_in_file, title_of
-from robodyn.verify.reference import Floats
 
 #: What joints are called here: Pinocchio refuses one that is called as a link is.
 _PREFIX = "joint "

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.library.candidate import Candidate, Context
 from robodyn.diagnose.select.limits import DAMPED, OSCILLATOR_RATE, TWIST_CUTOFF
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Twist
 from robodyn.identify.twist import lag_of, slopes_of
 from robodyn.logs.signals import low_pass
-
-Floats = NDArray[np.float64]
 
 
 def twists(c: Context, effect: Effect, twist: Twist, j: int) -> Iterator[Candidate]:

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.library.candidate import Candidate, Context, single, site
 from robodyn.diagnose.select.library.limits import GRAVITY_SHARE
 from robodyn.effects.effect import Effect, Site
 from robodyn.effects.traits import Dahl, Law
 from robodyn.identify.oscillator import dahl_deflection
 
-Floats = NDArray[np.float64]
 Values = Mapping[str, float]
 
 

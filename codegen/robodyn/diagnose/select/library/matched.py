@@ -13,13 +13,11 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Singles
 from robodyn.diagnose.select.library import Candidate, Context, candidates
 from robodyn.diagnose.select.library.prepared import prepared
 from robodyn.diagnose.select.scope import Scope
-
-Singles = NDArray[np.float32]
 
 
 def along(c: Context, ones: Sequence[Candidate], scope: Scope) -> Iterator[Singles | None]:

@@ -5,13 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robodyn.diagnose.select.library.candidate import Candidate, Context, single
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Line, Wave
-
-Floats = NDArray[np.float64]
 
 
 def lines(c: Context, effect: Effect, line: Line, j: int) -> Iterator[Candidate]:

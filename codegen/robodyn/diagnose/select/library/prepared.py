@@ -6,14 +6,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats, Singles
 from robodyn.diagnose.select.library.candidate import Candidate, Context
 from robodyn.diagnose.select.limits import FILTERED_AT_ONCE
 from robodyn.identify.predict import delays
-
-Floats = NDArray[np.float64]
-Singles = NDArray[np.float32]
 
 
 def prepared(context: Context, several: Iterable[Candidate]) -> Iterator[tuple[Candidate, Singles]]:

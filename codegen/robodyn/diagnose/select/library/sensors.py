@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.library.candidate import Candidate, Context, single
 from robodyn.diagnose.select.library.limits import (
     DRIVE_LIMITS,
@@ -22,8 +22,6 @@ from robodyn.gate.limits import PILED_SAMPLES
 from robodyn.identify.predict import given_torque
 from robodyn.identify.twist import slopes_of
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 def channels(c: Context, effect: Effect, shown: Shown, j: int) -> Iterator[Candidate]:

@@ -7,8 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.library.candidate import Candidate, Context
 from robodyn.diagnose.select.library.limits import (
     COUPLED_BEYOND_SHARE,
@@ -26,8 +26,6 @@ from robodyn.identify.prior import sizes_of as sizes_of_links
 from robodyn.kernels.array_dynamics import PARAMETERS, Model, physical
 from robodyn.robot.model import AXES
 from robodyn.simulate.sensors import measured_slopes
-
-Floats = NDArray[np.float64]
 
 
 def pairs(c: Context, effect: Effect, shown: Shown, j: int, k: int) -> Iterator[Candidate]:
