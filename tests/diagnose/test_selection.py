@@ -122,6 +122,18 @@ def test_wrong_numbers_of_an_arm_that_stops_are_no_friction() -> None:
     assert claims(found)
 
 
+def test_a_wrong_link_is_a_suspicion_where_wrong_numbers_of_all_links_explain_as_much(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    robot, log = read(PENDULUM.replace("com: [0.4", "com: [0.43")), logged(read(PENDULUM))
+    (one,) = diagnose(robot, [log]).findings
+    monkeypatch.setattr("robodyn.diagnose.select.search.throughout", lambda _, trial: trial.gains)
+    (other,) = diagnose(robot, [log]).findings
+    assert one.effect == other.effect == "inertial_error"
+    assert one.confidence > 0.5 > other.confidence > 0.4 * one.confidence
+    assert "all links" in other.where
+
+
 def test_an_encoder_that_is_far_off_is_no_wrong_number() -> None:
     """By how much a wrong zero changes torques depends on its size: at zero it looks like a moved centre."""
     robot = read(PENDULUM.replace("mass: 3.0", "mass: 3.0, confidence: 0.001"))

@@ -20,7 +20,7 @@ TITLES = {
     "backlash": "backlash, 3 to 8 times the noise",
     "journal": "friction in a journal bearing, 3 to 8 times the noise",
     "contact": "a push, during a motion or at rest",
-    "null": "nothing; inertial numbers right, or 5 to 30 % off and said to be",
+    "null": "nothing; inertial numbers right, or 5 to 30 % off, said or not",
     "outside": "an effect of no catalogue, 4 to 8 times the noise",
     "poor": "one effect, 3 to 8 times the noise, of a motion in one direction or a small range",
 }

@@ -47,7 +47,12 @@ def _finding(robot: Robot, outcome: Outcome, one: Found, sure: Sure) -> Finding:
     place = f"joint {joint}" if joint else "the whole robot"
     where = f"{place}: {entry.signature}; seen best at joint {j + 1}"
     experiment = f"to tell it from {', '.join(close)}: {entry.separates}" if close else None
-    confidence = round(odds(((z, more) for _, z, more in rivals), float(explained(outcome)[j])), 2)
+    against = [(z, more) for _, z, more in rivals]
+    if one.throughout is not None:
+        z = ahead(trial.gains - one.throughout)
+        against.append((z, 0.0))
+        where += "; wrong numbers of all links explain as much" if z < RIVAL else ""
+    confidence = round(odds(against, float(explained(outcome)[j])), 2)
     return Finding(
         id, joint, parameters, confidence, tuple(close), where, experiment,
         trial.gain, trial.gain / max(trial.error, 1e-300), tuple(each for each, *_ in rivals[:MOST_RIVALS]),

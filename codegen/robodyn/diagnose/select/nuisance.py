@@ -5,17 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from robodyn.diagnose.select.compare import ahead, foretells
+from robodyn.arrays import Floats
+from robodyn.diagnose.select.compare import ahead, foretells, is_of_link
 from robodyn.diagnose.select.library import regressor_seen
 from robodyn.diagnose.select.limits import LEAST_SHOWN, PRACTICAL, SHARES
 from robodyn.diagnose.select.members import Fit, Model, fitted
 from robodyn.diagnose.select.prior import prior_scales
 from robodyn.diagnose.select.rows import Rows
 from robodyn.diagnose.select.score import Trial, held_out
-
-Floats = NDArray[np.float64]
 
 
 def own_numbers(rows: Rows, share: float, *, is_timed: bool = False) -> Floats:
@@ -66,6 +64,20 @@ def widened(fit: Fit, threshold: float, best: Trial | None = None) -> Fit | None
     most = max(gain for gain, _ in choices)
     near = [wider for gain, wider in choices if gain > most - threshold]
     return fitted(near[0].model)
+
+
+def throughout(fit: Fit, one: Trial) -> Floats | None:
+    """What the arm's own numbers foretell [B, nats] in the place of ``one``, a load or a wrong link, if all
+    are wrong: a rival without a name, where nothing is stated of them. One link alone is all of them."""
+    if fit.model.rows.n == 1 or not is_of_link(one.family.first):
+        return None
+    before, gains = held_out(fit), list[Floats]()
+    for share in SHARES:
+        if fit.model.share is None or share > fit.model.share:
+            wider = fitted(with_own_numbers(fit.model, share, is_timed=fit.model.is_timed), 0)
+            if wider is not None:
+                gains.append((before - held_out(wider)).sum(axis=1) / 2)
+    return max(gains, key=lambda each: float(each.sum()), default=None)
 
 
 def timed(fit: Fit, threshold: float) -> Fit | None:

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from robodyn.arrays import Floats
 from robodyn.diagnose.select.compare import (
     foretells,
     is_level,
@@ -30,7 +30,7 @@ from robodyn.diagnose.select.limits import (
 )
 from robodyn.diagnose.select.members import Fit, Member, Model, fitted, solve
 from robodyn.diagnose.select.noise import dry_friction, with_noise_of
-from robodyn.diagnose.select.nuisance import own_numbers, timed, widened, with_reading_time
+from robodyn.diagnose.select.nuisance import own_numbers, throughout, timed, widened, with_reading_time
 from robodyn.diagnose.select.outcome import Found, Outcome
 from robodyn.diagnose.select.resolution import foretold, likelier_speeds
 from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
@@ -40,8 +40,6 @@ from robodyn.diagnose.select.tuning import judge_shape, tuned, with_tried
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.gate.gate import Gate
 from robodyn.robot.model import Robot
-
-Floats = NDArray[np.float64]
 
 
 class Search:
@@ -347,4 +345,4 @@ def _found(search: Search, fit: Fit, final: Fit) -> Iterable[Found]:
         own = [one for one in tried if one.family.key == member.key]
         own = own or [one for one in tried if member.key in one.family.keys]
         if own:
-            yield Found(numbers, own[0], tuple(tried))
+            yield Found(numbers, own[0], tuple(tried), throughout(rest, own[0]))
