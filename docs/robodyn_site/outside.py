@@ -19,7 +19,8 @@ DOCUMENTS: Final = {
 }
 #: Picture of the site -> picture of the repository.
 PICTURES: Final = {
-    f"benchmarks/{name}.svg": f"benchmarks/results/{name}.svg" for name in ("gap", "growth", "peers")
+    f"benchmarks/{name}.svg": f"benchmarks/results/{name}.svg"
+    for name in ("gap", "growth", "peers", "reliability")
 }
 #: Made from results: page of the site -> document of the repository that the same code has written.
 RESULTS: Final = {

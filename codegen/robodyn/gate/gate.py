@@ -26,6 +26,7 @@ from robodyn.gate.samples import floor_of, fresh, unwrapped
 from robodyn.gate.smooth import noise_of, smoothed
 from robodyn.gate.stuck import check_stuck
 from robodyn.logs.log import Log
+from robodyn.robot.masses import require_masses
 from robodyn.robot.model import Robot
 
 __all__ = ["Flag", "Gate", "JointContent", "Span", "inspect"]
@@ -87,8 +88,9 @@ def inspect(
 
     Raises
     ------
-    InputError: the log cannot be used; with rows, columns and times.
+    InputError: the log cannot be used, with rows, columns and times; or masses that nobody states.
     """
+    require_masses(robot)
     try:
         return _inspect(log, robot.at(parameters or {}), most, windows, thinned, is_one_of_many)
     except InputError as error:
