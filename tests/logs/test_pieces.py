@@ -181,7 +181,7 @@ def test_a_bag_of_several_writers(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     same(whole, list(pieces(folder, 3, mapping=MAP, most=25)), 25)
 
 
-@pytest.mark.skipif(not hasattr(os, "posix_spawn"), reason="measures memory as POSIX does")
+@pytest.mark.skipif(not hasattr(os, "posix_spawn"), reason="missing: os.posix_spawn; only POSIX has it")
 @pytest.mark.thorough
 def test_memory_does_not_grow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import tracemalloc

@@ -228,11 +228,12 @@ def _client(address: str, keys: Any, name: str) -> Any:
         stack.callback(client.close, timeout=CONNECT)
         try:
             client.wait_for_workers(1, timeout=CONNECT)
+        except TimeoutError:
+            raise no_worker(name, CONNECT) from None
+        try:
             compare("the scheduler", client.run_on_scheduler(likeness))
             for worker, theirs in client.run(worker_likeness).items():
                 compare(f"the worker {worker}", theirs)
-        except TimeoutError:
-            raise no_worker(name, CONNECT) from None
         except ImportError as error:
             raise not_there(error) from None
         stack.pop_all()

@@ -38,7 +38,7 @@ class Comparison:
     def __init__(self, arm: ArmFit, robot: Robot, largest: Floats, reading: Reading | None = None) -> None:
         self.arm, self.robot, self.largest = arm, robot, largest
         self.base = self._trial(reading or as_logged(arm.n))
-        arm.same = self._same = arm.alike(self.base.table, self.base.fit)
+        arm.same = arm.alike(self.base.table, self.base.fit)
         self.base = self._trial(self.base.reading)
 
     def better(self) -> list[Trial]:
@@ -67,7 +67,7 @@ class Comparison:
 
     def _rows(self, one: Trial) -> Floats:
         """How many rows say the same by torque channel, in the base and in ``one``."""
-        same: Floats = 0.5 * (self._same + one.reading.by_channel(self.arm.alike(one.table, one.fit)))
+        same: Floats = 0.5 * (self.arm.same + one.reading.by_channel(self.arm.alike(one.table, one.fit)))
         return same
 
     def _changes(self, one: Trial) -> Floats:

@@ -58,8 +58,8 @@ class Member:
         """What the slope by a number depends on: where the torque is linear in it, on the others that it is
         not linear in; else on all."""
         linear = CATALOGUE[self.key[0]].linear
-        kept = () if name not in linear else linear
-        others = tuple((each, x) for each, x in sorted(self.parameters.items()) if each not in kept)
+        alike = linear if name in linear else ()
+        others = tuple((each, x) for each, x in sorted(self.parameters.items()) if each not in alike)
         return (*self.key, name, others)
 
     def is_size(self, name: str) -> bool:

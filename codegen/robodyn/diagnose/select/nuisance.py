@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -43,16 +44,20 @@ def with_own_numbers(model: Model, share: float | None, *, is_timed: bool) -> Mo
     return replace(model, own=columns, share=share, is_timed=is_timed)
 
 
+def _wider(fit: Fit) -> Iterator[Fit]:
+    """The fit with wider bounds of all of the arm's own numbers, the members as they are."""
+    for share in SHARES:
+        if fit.model.share is None or share > fit.model.share:
+            wider = fitted(with_own_numbers(fit.model, share, is_timed=fit.model.is_timed), 0)
+            if wider is not None:
+                yield wider
+
+
 def widened(fit: Fit, threshold: float, best: Trial | None = None) -> Fit | None:
     """The model with wider bounds of all of the arm's own numbers, where that foretells more by the
     ``threshold`` [nats], and clearly more than the ``best`` candidate: wrong numbers of one link."""
     before, choices = held_out(fit), []
-    for share in SHARES:
-        if fit.model.share is not None and share <= fit.model.share:
-            continue
-        wider = fitted(with_own_numbers(fit.model, share, is_timed=fit.model.is_timed), 0)
-        if wider is None:
-            continue
+    for wider in _wider(fit):
         after = held_out(wider)
         gains = (before - after).sum(axis=1) / 2
         drop = 1 - np.sqrt((after.sum(axis=0) / np.maximum(before.sum(axis=0), 1e-300)).min())
@@ -71,12 +76,8 @@ def throughout(fit: Fit, one: Trial) -> Floats | None:
     are wrong: a rival without a name, where nothing is stated of them. One link alone is all of them."""
     if fit.model.rows.n == 1 or not is_of_link(one.family.first):
         return None
-    before, gains = held_out(fit), list[Floats]()
-    for share in SHARES:
-        if fit.model.share is None or share > fit.model.share:
-            wider = fitted(with_own_numbers(fit.model, share, is_timed=fit.model.is_timed), 0)
-            if wider is not None:
-                gains.append((before - held_out(wider)).sum(axis=1) / 2)
+    before = held_out(fit)
+    gains = [(before - held_out(wider)).sum(axis=1) / 2 for wider in _wider(fit)]
     return max(gains, key=lambda each: float(each.sum()), default=None)
 
 

@@ -22,7 +22,7 @@ _PARTS: Final = (
 ISO: Final = re.sub(r"\((?!\?)", "(?:", _PARTS)
 #: A date in the name of a log.
 _IN_NAME: Final = re.compile(rf"(?<!\d){ISO}(?!\d)", re.ASCII)
-#: [s]
+#: [s] A day of UTC, which has no leap seconds here.
 DAY: Final = 86400.0
 #: Words in place of a format: seconds and milliseconds since 1970.
 UNIX: Final = {"unix": 1.0, "unix_ms": 1000.0}

@@ -99,11 +99,11 @@ def _logs(folder: Path) -> Iterator[Path]:
 def _pattern(path: Path) -> str | None:
     """The pattern of a log's ``path``, relative to its fleet's folder; None without a date in its name. What
     its name has beside the date is the unit, else the folder that it is in; one folder above is the type."""
-    found = date_in(path.stem)
-    if found is None:
+    date = date_in(path.stem)
+    if date is None:
         return None
     folders, units = list(path.parts[:-1]), list[str]()
-    before, after = (_MARKS.sub("?", part) for part in (path.stem[: found.start()], path.stem[found.end() :]))
+    before, after = (_MARKS.sub("?", part) for part in (path.stem[: date.start()], path.stem[date.end() :]))
     if before.strip("_- ."):
         mark = before[len(before.rstrip("_- .")) :]
         stem = "{unit}" + mark + "{date}" + after

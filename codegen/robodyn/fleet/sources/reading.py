@@ -133,10 +133,10 @@ class _Reader:
         with self._stated(*at, "files"):
             text = self.tables.text((*at, "files"), entry["files"], "a pattern of paths")
             pattern = pattern_of(text, dates.format if dates else "")
-            own = dates and replace(dates, format=pattern.format)
+            in_names = dates and replace(dates, format=pattern.format)
             for path, fields in matches(pattern, self.folder, exclude):
                 log = str(self.folder / path)
-                self.gathering.take(log, Place(label(log)), fields, fixed, own)
+                self.gathering.take(log, Place(label(log)), fields, fixed, in_names)
 
     def _columns(
         self, at: tuple[Key, ...], entry: Mapping[str, Any]
