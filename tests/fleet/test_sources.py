@@ -313,3 +313,34 @@ def test_the_schema_and_the_reader_agree(
         assert not good
     else:
         assert good
+
+
+def test_what_is_too_much_is_refused_and_never_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    many = "source,unit,date\n" + "".join(f"{k}.csv,a,2026-01-0{k}\n" for k in range(1, 7))
+    names = [f"logs/a/2026-01-0{k}.csv" for k in range(1, 7)]
+    deep = "logs/" + "".join(f"{k}/" for k in range(1, 50))
+    anywhere = TYPE + "[[logs]]\nunit = 'a'\nfiles = 'logs/**/{date}.csv'\n"
+    write(tmp_path, *names, f"{deep}2026-02-01.csv")
+    assert len(read(tmp_path, anywhere).logs) == len(names)
+    for limit, text, told in (
+        ("gathering.MOST_LOGS", TYPE + FILES, "there are too many logs; found more than 3"),
+        ("gathering.MOST_LOGS", TYPE + MANIFEST, r"m\.csv:5: there are too many logs"),
+        ("pattern.MOST_ENTRIES", TYPE + FILES, "leads through too many files; found more than 3"),
+        (
+            "gathering.MOST_CONDITIONS",
+            TYPE + FILES + "conditions = {a=1,b=2,c=3,d=4}\n",
+            "too many conditions",
+        ),
+        ("dates.LONGEST_FORMAT", TYPE + FILES + "date = '%Y-%m-%d'\n", "this is no format of dates"),
+    ):
+        with monkeypatch.context() as patch:
+            patch.setattr(f"robodyn.fleet.sources.{limit}", 3)
+            with pytest.raises(InputError, match=told):
+                read(tmp_path, text, m=many)
+
+
+def test_a_name_that_fits_in_many_ways_is_told_soon(tmp_path: Path) -> None:
+    write(tmp_path, "logs/" + "1_" * 100 + "x.txt")
+    fields = "_".join("{" + name + "}" for name in "abcdefghij")
+    with pytest.raises(InputError, match="no log fits"):
+        read(tmp_path, f"{TYPE}[[logs]]\nunit = 'a'\nfiles = 'logs/{fields}_{{date}}.csv'\n")

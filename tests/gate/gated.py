@@ -19,7 +19,7 @@ WAY = Limits((Fraction(1, 5), Fraction(9, 10)), Fraction(1), Fraction(4))
 WRONG = {
     "garbage", "rates_unusable", "duplicated", "repeated_time", "stray_time", "spike", "jump", "held",
     "missing", "gap", "fragment", "jitter", "cut_down", "rate_scale", "rate_mismatch", "unlike_model",
-    "stuck", "perhaps_degrees", "perhaps_millimetres", "perhaps_sign", "perhaps_order", "saturation",
+    "stuck", "saturation", "torque_gain", "zero", "late_torque", "perhaps_no_gravity", "description_off",
 }  # fmt: skip
 
 

@@ -182,7 +182,7 @@ def test_ten_million_rows_of_text_fit_into_little_memory(tmp_path: Path) -> None
         for start in range(0, 10_000_000, 10_000):
             file.write("".join(f"{(start + k) / 1000:.3f},{end}\n" for k, end in enumerate(ends)))
     code = (
-        "import resource, sys; from robodyn.gate import inspect; from robodyn.robot import load;"
+        "import resource, sys; from robodyn.gate.gate import inspect; from robodyn.robot import load;"
         "from robodyn.logs.log import read_log;"
         "log = read_log(sys.argv[1], 6); inspect(log, load('puma560', warn=lambda _: None));"
         "print(log.samples, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"

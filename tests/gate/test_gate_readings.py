@@ -130,7 +130,9 @@ def test_a_description_of_another_arm(clean: Log, ur10: Robot) -> None:
 def test_a_load_is_no_other_reading(clean: Log, ur10: Robot, described: Robot) -> None:
     payload = entry("payload", None, mass=3.0, com=(0.05, 0.0, 0.1))
     loaded = folded(replace(ur10, effects=(payload,)))
-    own, more = (Reference(one).inverse_dynamics(clean.q, 0 * clean.q, 0 * clean.q) for one in (ur10, loaded))
+    motion = fourier(ur10, 0.2, 5, seed=6, period=5e-3)  # of the log
+    states = motion.q, motion.qd, motion.qdd
+    own, more = (Reference(one).inverse_dynamics(*states) for one in (ur10, loaded))
     gate = inspect(replace(clean, tau=clean.tau + more - own), described)
     assert not {flag.kind for flag in gate.flags} & WRONG
 

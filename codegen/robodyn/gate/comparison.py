@@ -115,7 +115,8 @@ class Comparison:
             return np.asarray((one.table.model + one.table.columns[..., : self.arm.r] @ x) * inside[:, None])
 
         def text(value: float, error: float) -> str:
-            return f"{math.exp(value):.3g} +- {math.exp(value) * error:.1g} times the torque in N m (N)"
+            gain = math.exp(value) / base.tau_scale[joints[0]]
+            return f"{gain:.3g} +- {gain * error:.1g} times the torque in N m (N)"
 
         yield from self._fitted(at, slope, text, most=1.4)
 
@@ -130,7 +131,7 @@ class Comparison:
             return np.asarray((early.columns[..., -1] - late.columns[..., -1]) / (2 * h))
 
         def text(value: float, error: float) -> str:
-            return f"{1e3 * value:.3g} +- {1e3 * error:.1g} ms late against q"
+            return f"{1e3 * (base.late + value):.3g} +- {1e3 * error:.1g} ms late against q"
 
         yield from self._fitted(at, slope, text, most=0.02)
 
@@ -149,7 +150,8 @@ class Comparison:
             return np.asarray((other.model - one.table.model + change @ x) / h)
 
         def text(value: float, error: float) -> str:
-            return f"reads {factor * value:.4g} +- {factor * error:.1g} {unit} more than the model's"
+            zero = base.zero[j] + value
+            return f"reads {factor * zero:.4g} +- {factor * error:.1g} {unit} more than the model's"
 
         for first in (0.0, math.pi / 2, math.pi, -math.pi / 2) if is_angle else (0.0,):
             yield from self._fitted(at, slope, text, most=0.5, first=first)

@@ -67,7 +67,9 @@ def check_model(
         best = _chosen(better)
         if best.reading.remedy:
             _tell(best, comparison.base, better)
-        flags.append(Flag(best.reading.kind, best.reading.where, (), best.reading.text, best.reading.joints))
+        one = best.reading
+        flags[:] = [flag for flag in flags if (flag.kind, flag.where) != (one.kind, one.where)]
+        flags.append(Flag(one.kind, one.where, (), one.text, one.joints))
         comparison = Comparison(comparison.arm, robot, comparison.largest, best.reading)
     _compare_shapes(comparison.beside_friction()[2], flags)
 

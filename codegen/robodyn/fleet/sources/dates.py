@@ -8,6 +8,7 @@ from datetime import UTC, datetime, tzinfo
 from typing import Final
 
 from robodyn.errors import InputError
+from robodyn.fleet.limits import LONGEST_FORMAT
 from robodyn.logs.limits import EARLIEST, LATEST
 from robodyn.robot.names import shown
 
@@ -143,6 +144,8 @@ def check_format(text: str) -> str:
         return text
     day = datetime(2026, 5, 3, 12, 34, tzinfo=UTC)
     try:
+        if len(text) > LONGEST_FORMAT:
+            raise ValueError(text)
         year = datetime.strptime(day.strftime(text), text).year
     except (ValueError, re.error, OverflowError):
         year = None

@@ -13,7 +13,7 @@ from typing import Any, Final
 from robodyn.errors import InputError, Place, did_you_mean
 from robodyn.files import label
 from robodyn.fleet.as_json import day
-from robodyn.fleet.limits import LISTED, LONGEST_NAME
+from robodyn.fleet.limits import LISTED, LONGEST_NAME, MOST_CONDITIONS, MOST_LOGS
 from robodyn.fleet.result import Unused
 from robodyn.fleet.sources.dates import DateFormat
 from robodyn.fleet.sources.fleet import IN_LOG, ArmType, Fleet, LogFile
@@ -56,7 +56,7 @@ class Gathering:
 
         Raises
         ------
-        InputError: another place says otherwise.
+        InputError: another place says otherwise, or there are too many logs.
         """
         facts = Facts(where, dict(fixed.stated), dict(fixed.conditions))
         try:
@@ -71,6 +71,8 @@ class Gathering:
             self._fault(error.at(where))
         else:
             self._add(source, facts)
+        if len(self._logs) + sum(map(len, self._faults.values())) > MOST_LOGS:
+            raise InputError("there are too many logs", where=where, found=f"more than {MOST_LOGS}")
 
     def _add(self, source: str, facts: Facts) -> None:
         key = "+".join(os.path.abspath(part) for part in source.split("+"))  # noqa: PTH100 (a million)
@@ -140,6 +142,11 @@ def _log(source: str, facts: Facts, types: Mapping[str, ArmType]) -> LogFile:
         )
     for what, text in (("the unit", unit), *(("a condition", name) for name in facts.conditions)):
         check_name(text, what, where)
+    if len(facts.conditions) > MOST_CONDITIONS:
+        raise InputError(
+            "a log has too many conditions", where=where, found=str(len(facts.conditions)),
+            expected=f"at most {MOST_CONDITIONS}", remedy="say which: conditions = ['temperature']",
+        )  # fmt: skip
     if not _is_text(source):
         raise InputError(
             "the name of a log is not UTF-8", where=where, remedy="rename it, or leave it out with exclude"

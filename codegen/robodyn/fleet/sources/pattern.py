@@ -16,7 +16,7 @@ from typing import Final, NoReturn
 
 from robodyn.errors import InputError, Place
 from robodyn.files import label
-from robodyn.fleet.limits import LISTED
+from robodyn.fleet.limits import DEEPEST, LISTED, MOST_ENTRIES, MOST_FIELDS
 from robodyn.fleet.sources.dates import check_format, regex_of
 from robodyn.robot.names import shown
 
@@ -94,10 +94,12 @@ def _regexes(part: str, format: str, formats: list[str], names: set[str]) -> tup
     places, and with any text there. Adds to the ``formats`` of dates and the ``names`` of fields so far."""
     if part == _ANY:
         return ("(?:[^/]+/)*",) * 2
-    strict = shape = ""
-    for piece in _TOKENS.split(part):
+    pieces = _TOKENS.split(part)
+    strict, shape, texts = "", "", 0
+    for k, piece in enumerate(pieces):
         exact = free = {"*": "[^/]*?", "?": "[^/]"}.get(piece, re.escape(piece))
         field = _FIELD.fullmatch(piece)
+        texts += piece == "*" or (field is not None and field[1] in TEXTS)
         if field and (field[1] == DATE or not field[2]):
             name, exact = field[1], _TEXT
             if name == DATE:
@@ -115,7 +117,16 @@ def _regexes(part: str, format: str, formats: list[str], names: set[str]) -> tup
                 found=shown(piece),
                 expected="{type}, {unit}, {date}, {date:%Y%m%d}, or the name of a condition",
             )
-        strict, shape = strict + exact, shape + free
+        # As far as the first place that fits, and never back: that finds a fit where there is one.
+        is_held = 0 < k < len(pieces) - 2
+        strict += exact
+        shape += f"(?>{free}" if is_held and k % 2 else f"{free})" if is_held else free
+    if texts > MOST_FIELDS:
+        raise InputError(
+            "the pattern has too many fields in one part of the path",
+            found=str(texts),
+            expected=f"at most {MOST_FIELDS}",
+        )
     return f"{strict}/", f"{shape}/"
 
 
@@ -125,19 +136,27 @@ def matches(pattern: Pattern, base: Path, exclude: Sequence[Pattern]) -> Iterato
 
     Raises
     ------
-    InputError: there are none, or a folder cannot be read.
+    InputError: there are none, they lie among too many files, or a folder cannot be read.
     """
     start, parts, skipped = pattern.anchor, pattern.parts, 0
     while skipped < len(parts) - 1 and not _TOKENS.search(parts[skipped]):
         if not os.path.isdir(base / start / parts[skipped]):  # noqa: PTH112 (never raises)
             break
         start, skipped = f"{start}{parts[skipped]}/", skipped + 1
-    count, furthest = 0, (-1, "", list[str]())
+    count, listed, furthest = 0, 0, (-1, "", list[str]())
     for folder, folders, files in os.walk(base / start, onerror=_refuse_folder, followlinks=True):
         below = Path(folder).relative_to(base / start).parts
         depth, names = skipped + len(below), sorted([*folders, *files])
+        listed += len(names)
+        if listed > MOST_ENTRIES:
+            raise InputError(
+                "the pattern leads through too many files",
+                found=f"more than {MOST_ENTRIES}",
+                remedy="name the folder of the logs in the pattern",
+            )
         inside, further = set(folders), list[str]()
         is_any = _ANY in parts[: depth + 1]
+        is_deep = is_any and depth - parts.index(_ANY) > DEEPEST
         for name in names if is_any else fnmatch.filter(names, pattern.glob(depth)):
             if name.startswith(".") and (is_any or not parts[depth].startswith(".")):
                 continue
@@ -148,17 +167,17 @@ def matches(pattern: Pattern, base: Path, exclude: Sequence[Pattern]) -> Iterato
             if fields is not None and not is_excluded:
                 yield path, fields
             leads_on = not _leads_up(folder, name) if is_any and name in inside else depth + 1 < len(parts)
-            if leads_on and name in inside and not is_excluded:
+            if leads_on and name in inside and not is_excluded and not is_deep:
                 further.append(name)
         if depth > furthest[0] and (is_any or not further):
             furthest = depth, folder, names
         folders[:] = further
     if not count:
         depth, folder, names = furthest
-        listed = ", ".join(map(shown, names[:LISTED])) + (", ..." if len(names) > LISTED else "")
+        some = ", ".join(map(shown, names[:LISTED])) + (", ..." if len(names) > LISTED else "")
         raise InputError(
             "no log fits the pattern",
-            found=f"in {label(folder)}: {listed or 'nothing'}",
+            found=f"in {label(folder)}: {some or 'nothing'}",
             expected=shown(parts[-1] if _ANY in parts[: depth + 1] else parts[depth], 80),
             remedy="write the pattern as the paths are; * stands for any text, ** for folders in folders",
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-from robodyn.fleet.limits import LONGEST_NAME
+from robodyn.fleet.limits import LONGEST_FORMAT, LONGEST_NAME
 from robodyn.fleet.sources.manifest import COLUMNS
 
 Schema = dict[str, Any]
@@ -54,6 +54,7 @@ _OF_BOTH: Final = {
         "description": "How dates are written: as Python's strptime, unix, or unix_ms; log: the times in the "
         "log are dates; or a date that holds for all of them.  [default: ISO 8601]",
         "type": "string",
+        "maxLength": LONGEST_FORMAT,
     },
     "timezone": _text(f"{_ZONE}  [default: that of the file]"),
 }
