@@ -20,7 +20,7 @@ from robodyn_cli.values import parameter_option
 if TYPE_CHECKING:
     from robodyn.identify.fit import Load
 
-_DATA, _MODEL = "identify.json", "identified.yaml"
+_MODEL = "identified.yaml"
 #: What stands for the mass of a load that is not known.
 _UNKNOWN: Final = "unknown"
 
@@ -55,9 +55,10 @@ def command(robot: str, gains: bool, offsets: str, load: tuple[str, ...], **opti
     which a first fit leaves out.
     """
     from robodyn.identify.fit import Options
+    from robodyn.identify.known import DATA_FILE
     from robodyn.identify.run import identify, stages
 
-    folder = outputs_for(robot, options, (_DATA, _MODEL))
+    folder = outputs_for(robot, options, (DATA_FILE, _MODEL))
     fitted = Options(
         offsets={"auto": "auto", "yes": True, "no": False}[offsets],  # type: ignore[arg-type]
         gains=gains,
@@ -65,7 +66,7 @@ def command(robot: str, gains: bool, offsets: str, load: tuple[str, ...], **opti
     )
     outcome = run_on_logs(identify, stages, robot, options, options=fitted)
     text = json.dumps(outcome.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-    write_files(folder, {_DATA: text, _MODEL: outcome.model_text})
+    write_files(folder, {DATA_FILE: text, _MODEL: outcome.model_text})
     if as_json():
         echo_document(text)
         return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from os import PathLike
 from typing import Any
 
@@ -107,7 +108,8 @@ def diagnose(
     outcome, by_torque, gates = account.outcome, account.by_torque, account.logs.fitted
     own, left = by_torque.own, by_torque.left
     result = completed(robot, by_torque, account.contacts, account.logs, scope, lacks)
-    model, findings = result.model, result.findings
+    # What was identified does not lie beside the new description, and new numbers are not in it.
+    model, findings = replace(result.model, covariance=None), result.findings
     is_loaded = any(CATALOGUE[f.effect].traits.body for f in own.findings)
     heavier = one_body(robot, own.robot, gates) if own.is_refitted and not is_loaded else None
     remarks: dict[str, Any] = {}

@@ -77,7 +77,8 @@ def settled(
     rubbing = {f.joint for f in findings if CATALOGUE[f.effect].dissipative}
     named = findings if verdict == "missing_effect" else ()
     left = structure_left(outcome)
-    if left.max(initial=0.0) <= 1 and outcome.fit.model.share is None:  # nothing is left for other numbers
+    is_right = left.max(initial=0.0) <= 1 and outcome.fit.model.share is None
+    if is_right or robot.covariance is not None:  # nothing is left for other numbers, or they are known
         done = apply_amendments(robot, [amendment(f) for f in named])
         own = Renumbered(done.robot, done.origins, named, is_refitted=False)
         return Settled(verdict, findings, own, left)

@@ -16,6 +16,7 @@ from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
 from robodyn.identify.fit import Fit, Options, evidence, fit_arm, still_joints, sure
+from robodyn.identify.known import covariance_to_dict, with_covariance
 from robodyn.identify.limits import (
     COMPARING_COST,
     FITTING_COST,
@@ -121,6 +122,7 @@ class Identification:
             "rest": self.fit.rest.speeds.tolist(),
             "validated_on": "held-out blocks of the logs" if self.held_out else "a log of its own",
             "condition": self.condition,
+            "covariance": covariance_to_dict(self.model.covariance),
             "remarks": list(self.words),
             "flags": list(self.flags),
             "logs": [dict(log) for log in self.logs],
@@ -174,11 +176,12 @@ def identify(
         )
     tell("comparing the torques")
     outcome, late = identified(fit), _delays(fit, labels)
+    arm = with_covariance(outcome.robot, fit)
     old = text if text is not None and parameters is None else to_yaml(robot)
-    new = rewritten(old, robot, outcome.robot, outcome.origins, _notes(robot, outcome, hashes[: len(logs)]))
+    new = rewritten(old, robot, arm, outcome.origins, _notes(robot, outcome, hashes[: len(logs)]))
     every = [*gates, *([] if seen is None else [seen])]
     return Identification(
-        robot, outcome.robot, new, outcome.parameters, outcome.combinations,
+        robot, arm, new, outcome.parameters, outcome.combinations,
         late, outcome.not_identifiable,
         _residual(fit, gates, seen), fit.condition, seen is None,
         tuple(str(flag) for gate in every for flag in gate.flags), remarks(fit, outcome, gates, late),

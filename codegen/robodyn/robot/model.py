@@ -14,6 +14,7 @@ from robodyn.robot.parts import (
     AXES,
     Comparison,
     Confidence,
+    Covariance,
     EffectEntry,
     Exact,
     Gear,
@@ -32,6 +33,7 @@ __all__ = [
     "AXES",
     "Comparison",
     "Confidence",
+    "Covariance",
     "EffectEntry",
     "Gear",
     "Inertia",
@@ -67,7 +69,7 @@ class Robot:
     ``tool`` is the tool's frame in the last link's. ``standard_end``: of a description in standard DH
     the last link's frame by it, in the last one here. ``file`` is where the description was read, None if it
     came from no file; records may lie beside it. ``account``: what the reading of a file in another format
-    came upon, None where there was no such file.
+    came upon, None where there was no such file. ``covariance``: of numbers that were identified together.
     """
 
     name: str
@@ -85,6 +87,7 @@ class Robot:
     tool: Placement | None = None
     standard_end: Placement | None = None
     account: Account | None = field(default=None, compare=False, repr=False)
+    covariance: Covariance | None = None
 
     def __repr__(self) -> str:
         """A screen's worth: one line a joint, the first twenty. :func:`~robodyn.robot.to_yaml` shows all."""

@@ -17,6 +17,7 @@ from robodyn.robot.account import Origins
 from robodyn.robot.values import ZERO, Affine, Angle, Value
 
 if TYPE_CHECKING:
+    from robodyn.arrays import Floats
     from robodyn.effects.effect import Effect
 
 JointKind = Literal["revolute", "prismatic"]
@@ -166,6 +167,17 @@ class Link:
         if self.confidence is None:
             return SHARE_NOT_STATED
         return self.confidence if isinstance(self.confidence, Fraction) else SHARE_UNKNOWN
+
+
+@dataclass(frozen=True, slots=True)
+class Covariance:
+    """How sure the numbers of an arm are that were identified together. ``file``: the name of the file beside
+    the description that says it. Where it was read or made, ``values`` [11 n]: ten standard parameters of
+    each link, then the rotors; ``root`` [r, 11 n]: their covariance is ``root.T @ root``."""
+
+    file: str
+    values: Floats | None = field(default=None, compare=False, repr=False)
+    root: Floats | None = field(default=None, compare=False, repr=False)
 
 
 #: What an effect's parameter may be: a number, three, a tensor, knots (load fraction, efficiency), a word,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import warnings
 from collections.abc import Callable
 from dataclasses import replace
@@ -26,7 +27,7 @@ from robodyn.robot.keys import INERTIA, LINK, LINKS, REST_VELOCITY, ROBOT, ROW, 
 from robodyn.robot.masses import inertia_doubt, is_judged, only_about_base_axis
 from robodyn.robot.model import Comparison, Gear, Inertia, Joint, JointKind, Limits, Link, Placement, Robot
 from robodyn.robot.names import ROBOT_NAME_EXPECTED, parameter_clash, robot_name_fault, shown
-from robodyn.robot.parts import UNKNOWN, Confidence
+from robodyn.robot.parts import UNKNOWN, Confidence, Covariance
 from robodyn.robot.rotations import limits_doubt
 from robodyn.robot.values import ZERO
 
@@ -100,6 +101,7 @@ def _robot(section: Section) -> Robot:
     robot = Robot(
         name, links, title, from_, compare=comparison, torque_side="link" if side == "link" else "motor",
         rest_velocity=rest, dead_band=band, base=base, standard_end=end, account=account,
+        covariance=_covariance(section),
     )  # fmt: skip
     if gravity is not None:
         x, y, z = (value for value in gravity if isinstance(value, Fraction))  # no names there: all three
@@ -114,6 +116,16 @@ def _robot(section: Section) -> Robot:
 
         robot = into_robot(robot, effects)
     return robot
+
+
+def _covariance(section: Section) -> Covariance | None:
+    name = section.full_text("covariance")
+    if name and not re.fullmatch(r"\w[\w.-]*\.json", name, re.ASCII):
+        section.source.fail(
+            section.values["covariance"], "covariance is no name of a file beside this one",
+            found=shown(name), expected="letters, digits, _, - and ., such as identify.json",
+        )  # fmt: skip
+    return Covariance(name) if name else None
 
 
 def _robot_name(section: Section) -> str:

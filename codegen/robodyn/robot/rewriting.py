@@ -87,6 +87,7 @@ class _Patch:
         if self.robot.torque_side != self.target.torque_side:
             place = (None, "torque_side")
             self.editor.set_key(self.root, "torque_side", self.target.torque_side, [place], _ORDER["robot"])
+        self._covariance()
         nodes = self.editor.child(self.root, "links").value
         for i, node in enumerate(nodes, 1):
             self._link(i, node)
@@ -119,6 +120,16 @@ class _Patch:
             self.editor.set_key(parent, key, f"[{', '.join(map(number_text, new))}]", [place], order)
         else:
             self.editor.set_key(parent, key, number_text(new - old), [place], order)
+
+    def _covariance(self) -> None:
+        if self.robot.covariance == self.target.covariance:
+            return
+        place = (None, "covariance")
+        if self.target.covariance is None:
+            self.editor.remove_key(self.root, "covariance", [place])
+        else:
+            file = self.target.covariance.file
+            self.editor.set_key(self.root, "covariance", file, [place], _ORDER["robot"])
 
     def _gravity(self) -> None:
         old, new = self.robot.gravity, self.target.gravity

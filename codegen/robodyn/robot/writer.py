@@ -48,6 +48,8 @@ def to_yaml(robot: Robot) -> str:
     common = _common_confidence(robot)
     if common is not None:
         lines.append(f"confidence: {_confidence(common)}")
+    if robot.covariance is not None:
+        lines.append(f"covariance: {robot.covariance.file}")
     origins = _common_origins(robot)
     if origins:
         lines.append(f"origin: {_words(origins)}")

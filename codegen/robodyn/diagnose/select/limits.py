@@ -82,6 +82,9 @@ SHARES: Final = (0.01, 0.03, 0.1, 0.3, 1.0)
 """[shares] By which all inertial numbers may be wrong, if that foretells enough more; at first those of which
 nothing is said are right."""
 
+MULTIPLES: Final = (3.0,)
+"""[-] So many times as far as their covariance says may numbers be off that were identified."""
+
 PART_CORRELATION: Final = 10.0
 """[correlation times] Length of the parts whose pulls on a fit are summed: the rows of one have little to do
 with those of the next."""

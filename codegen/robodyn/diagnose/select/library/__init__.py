@@ -16,13 +16,28 @@ from robodyn.diagnose.select.library.elastic import twists
 from robodyn.diagnose.select.library.laws import dahl, laws
 from robodyn.diagnose.select.library.position import lines, waves
 from robodyn.diagnose.select.library.sensors import channels, late_channels
-from robodyn.diagnose.select.library.several import numbers, pairs, regressor_seen, without_regressor
+from robodyn.diagnose.select.library.several import (
+    numbers,
+    pairs,
+    regressor_seen,
+    rotors_seen,
+    without_regressor,
+)
 from robodyn.diagnose.select.scope import EVERYTHING, Scope
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Dahl, Law, Line, Shown, Twist, Wave
 
-__all__ = ["Candidate", "Context", "Hints", "candidates", "context_of", "regressor_seen", "without_regressor"]
+__all__ = [
+    "Candidate",
+    "Context",
+    "Hints",
+    "candidates",
+    "context_of",
+    "regressor_seen",
+    "rotors_seen",
+    "without_regressor",
+]
 
 #: What shows at a joint, by the way in which it is looked for.
 _AT_JOINT: Final[Mapping[type, Callable[[Context, Effect, Any, int], Iterator[Candidate]]]] = {

@@ -105,6 +105,13 @@ def regressor_seen(c: Context) -> Floats:
     return Y
 
 
+def rotors_seen(c: Context) -> Floats:
+    """Torques [N, n, n] by the rotor of each joint, as :func:`regressor_seen`."""
+    s = c.slow
+    columns = measured_slopes(s.qdd[:, :, None] * np.eye(c.n), s.t, c.model.robot.effects, s.tau)
+    return np.asarray(s.thinned(s.filtered(columns)))
+
+
 def _body(c: Context, effect: Effect, shown: Shown) -> Candidate:
     def read(x: Floats) -> dict[str, float | str]:
         names = ("mass", "com_x", "com_y", "com_z", *(f"inertia_{axes}" for axes in AXES))
