@@ -63,9 +63,27 @@ def residual(robot: Robot, m: Motion, rest: Floats | None = None) -> Floats:
             logged[:, columns] = np.clip(logged[:, columns], -entry.number("limit"), entry.number("limit"))
     tau = torque(robot, m)
     if rest is not None:
-        level = np.array([float(link.joint.coulomb) for link in robot.links])  # type: ignore[arg-type]
-        tau = tau + level * (np.clip(m.qd / np.maximum(rest, 1e-300), -1, 1) - np.sign(m.qd))
+        tau = _at_rest(robot, m, tau, np.maximum(rest, 1e-300))
     return logged - channel(robot, m.t, tau)
+
+
+def _at_rest(robot: Robot, m: Motion, tau: Floats, rest: Floats) -> Floats:
+    """Torques ``tau`` [K, n]; of a joint slower than ``rest`` [n] they go in a straight line from what they
+    would be at that speed one way to what they would be the other way."""
+    tau = tau.copy()
+    for j in range(robot.n):
+        forth, back = (torque(robot, _moving(m, j, speed))[:, j] for speed in (rest[j], -rest[j]))
+        slow = np.abs(m.qd[:, j]) < rest[j]
+        line = (forth + back) / 2 + m.qd[:, j] / rest[j] * (forth - back) / 2
+        tau[slow, j] = line[slow]
+    return tau
+
+
+def _moving(m: Motion, j: int, speed: float) -> Motion:
+    """The motion with one speed of joint ``j`` (from 0)."""
+    qd = m.qd.copy()
+    qd[:, j] = speed
+    return replace(m, qd=qd)
 
 
 def torque(robot: Robot, m: Motion) -> Floats:

@@ -88,9 +88,8 @@ def _command(name: str, model: str) -> Any:
         cpu, memory = measured([*map(str, words), *(["--no-kernels"] if name == "diagnose" else [])])
         amended = load(str(out / model), warn=lambda _: None)
         notes = _claims(out / "diagnosis.json") if name == "diagnose" else {}
-        rest = None
-        if name == "identify":
-            rest = np.array(json.loads((out / "identify.json").read_text(encoding="utf-8"))["rest"])
+        result = {"identify": "identify.json", "diagnose": "diagnosis.json"}[name]
+        rest = np.array(json.loads((out / result).read_text(encoding="utf-8"))["rest"])
         return Answer(tuple(residual(amended, m, rest) for m in motions), cpu, memory, notes)
 
     return run

@@ -57,7 +57,7 @@ class Stand:
             verdict="missing_effect", findings=(finding,),
             gap=Gap(4 * size, size, 4 * size, size, size, (9 * size, 9 * size)), robot=robot,
             model=read_text(RUBBING), model_text=RUBBING, diff="-a\n+b\n", flags=(), left=size, words=(),
-            logs=(), series=(Series("train", taken[0].t, q, q, q, q, q, q, q),), operations=(5, 7),
+            logs=(), rest=size, series=(Series("train", taken[0].t, q, q, q, q, q, q, q),), operations=(5, 7),
         )  # fmt: skip
         return replace(found, **self.changes)
 

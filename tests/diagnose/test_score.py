@@ -39,12 +39,12 @@ def posed(seed: int) -> tuple[Fit, np.random.Generator]:
 
 def by_loops(fit: Fit, more: Floats, held: float) -> tuple[Floats, Floats, Floats]:
     """Weighted squares [B, n] that are left of blocks by the best of ``more`` [G, N, n, c], each fitted to
-    the other blocks by least squares over all rows at once; the same of the model alone; and what the prior
-    has against these numbers, a part of it for each block [B, nats]."""
+    the other blocks by least squares over all rows at once; the same of the model alone; and what the priors
+    have against the numbers of either, a part of it for each block [2, B]."""
     rows = fit.model.rows
     N, n, _ = fit.columns.shape
     root = np.sqrt(1 / (rows.sigma**2 + rows.level**2 * rows.unresolved))
-    left, against = np.zeros((2, len(rows.blocks), n)), np.zeros(len(rows.blocks))
+    left, against = np.zeros((2, len(rows.blocks), n)), np.zeros((2, len(rows.blocks)))
     for b, block in enumerate(rows.blocks):
         train = np.concatenate([other for k, other in enumerate(rows.blocks) if k != b])
         for which, tried in enumerate((more, np.zeros((1, N, n, 0)))):
@@ -62,8 +62,7 @@ def by_loops(fit: Fit, more: Floats, held: float) -> tuple[Floats, Floats, Float
                     best = cost
                     rest = (fit.leave[block] - A[block] @ x) * root[block]
                     left[which, b] = np.sum(rest**2, axis=0)
-                    if which == 0:
-                        against[b] = held * np.sum(x[fit.columns.shape[2] :] ** 2) / 2 / len(rows.blocks)
+                    against[which, b] = np.sum((prior * x) ** 2) / len(rows.blocks)
     return left[0], left[1], against
 
 
@@ -87,8 +86,9 @@ def test_gains_are_those_of_least_squares_over_the_other_blocks(
     wide[:, :, joints] = one.columns.astype(np.float64) * (1 if scale is None else scale)
     after, before, against = by_loops(fit, wide, 0.0 if scale is None else 1.0)
     (trial,) = trials(fit, [one])
-    np.testing.assert_allclose(held_out(fit), before, rtol=1e-6)
-    np.testing.assert_allclose(trial.gains, (before - after).sum(axis=1) / 2 - against, rtol=1e-3, atol=1e-4)
+    np.testing.assert_allclose(held_out(fit), before + against[1][:, None] / JOINTS, rtol=1e-6)
+    gains = ((before - after).sum(axis=1) - against[0] + against[1]) / 2
+    np.testing.assert_allclose(trial.gains, gains, rtol=1e-3, atol=1e-4)
     np.testing.assert_allclose(trial.at, (before - after).sum(axis=0) / 2, rtol=1e-3, atol=1e-4)
     np.testing.assert_allclose(trial.after, after.sum(axis=0), rtol=1e-4)
     assert trial.drop == pytest.approx(1 - np.sqrt((after.sum(axis=0) / before.sum(axis=0)).min()), abs=1e-4)

@@ -55,6 +55,7 @@ def made(robot: Robot, **changes: Any) -> Diagnosis:
         left=np.linspace(0.1, 0.5, n),
         words=("a remark",),
         logs=({"name": "one.csv", "sha256": "ab" * 32}, {"name": "two.csv", "sha256": "cd" * 32}),
+        rest=np.full(n, 0.01),
         series=(series("train", n), series("validate", n)),
         operations=(80, 83),
     )

@@ -160,7 +160,8 @@ def test_a_starter_loads_without_a_warning(joints: int) -> None:
 
 def test_what_a_starter_hints_at_is_right_and_every_key_is_there() -> None:
     for key in (*LINK, *ROBOT):
-        if key.name not in ("compare", "covariance", "imported", "standard_end"):  # what nobody states by hand
+        # Without what nobody states by hand.
+        if key.name not in ("compare", "covariance", "imported", "standard_end"):
             assert f"{key.name}:" in starter(), key.name
     text = re.sub(r"# (?=(  - \{)?effect)", "", starter())
     robot = read_text(text, strict=True)

@@ -236,6 +236,7 @@ class Diagnosis:
     """The whole: ``robot`` as given, ``model`` amended and ``model_text`` its description, ``diff`` between
     the two texts; ``flags``: what the data gate said, a line each; ``left`` [n]: RMS that nothing explains,
     as a multiple of the RMS that would matter (a figure above 1 matters); ``words``: remarks for people;
+    ``rest`` [n]: speeds below which a joint may rest, and dry friction may have any size up to its level;
     ``operations``: of the inverse dynamics before and after.
 
     For the report, and empty where they are not known: ``windows`` of time to shade; ``tried``: the best
@@ -256,6 +257,7 @@ class Diagnosis:
     left: Floats
     words: tuple[str, ...]
     logs: tuple[Mapping[str, str], ...]
+    rest: Floats
     series: tuple[Series, ...] = ()
     operations: tuple[int, int] = (0, 0)
     windows: tuple[Window, ...] = ()
@@ -276,6 +278,7 @@ class Diagnosis:
             "unexplained_share_reason": self.gap.unexplained_share_reason(),
             "left_over_threshold": self.left.tolist(),
             "remarks": list(self.words),
+            "rest": self.rest.tolist(),
             "record": self.record,
             "flags": list(self.flags),
             "logs": [dict(log) for log in self.logs],

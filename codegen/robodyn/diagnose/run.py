@@ -32,6 +32,7 @@ from robodyn.diagnose.one_body import one_body
 from robodyn.diagnose.refit import refitted_places, share_allowed
 from robodyn.diagnose.result import Diagnosis, Series
 from robodyn.diagnose.select.contact import touches
+from robodyn.diagnose.select.resolution import rest_speeds
 from robodyn.diagnose.select.scope import scope_of
 from robodyn.diagnose.settle import Completed, Logs, completed
 from robodyn.effects.catalogue import CATALOGUE
@@ -134,6 +135,7 @@ def diagnose(
         result.verdict, findings, result.gap, robot, model, new, difference(old, new),
         tuple(str(flag) for gate in whole for flag in gate.flags), left, words,
         tuple(_described(gate, k, names, hashes) for k, gate in enumerate(whole)),
+        rest_speeds(model, outcome.fit.model.rows),
         tuple(_series(lacks, name, robot, model, gate) for name, gate in drawn),
         (before.total, after.total),
         windows(whole[0], findings, _shown(digests, validated=validate is not None)),

@@ -77,8 +77,9 @@ def settled(
     rubbing = {f.joint for f in findings if CATALOGUE[f.effect].dissipative}
     named = findings if verdict == "missing_effect" else ()
     left = structure_left(outcome)
-    is_right = left.max(initial=0.0) <= 1 and outcome.fit.model.share is None
-    if is_right or robot.covariance is not None:  # nothing is left for other numbers, or they are known
+    is_fixed = outcome.fit.model.share is None and all(link.confidence is None for link in robot.links)
+    if (left.max(initial=0.0) <= 1 and is_fixed) or robot.covariance is not None:
+        # Nothing is left for other numbers, or they are known.
         done = apply_amendments(robot, [amendment(f) for f in named])
         own = Renumbered(done.robot, done.origins, named, is_refitted=False)
         return Settled(verdict, findings, own, left)

@@ -16,16 +16,15 @@ import numpy as np
 
 from robodyn.arrays import Floats
 from robodyn.errors import InputError, Place
-from robodyn.files import MIB, label, read_text
+from robodyn.files import label, read_text
 from robodyn.identify.fit import Fit
-from robodyn.identify.limits import RANK
+from robodyn.identify.limits import LARGEST_FILE, RANK
 from robodyn.identify.prior import number_of
 from robodyn.kernels.array_dynamics import Model
 from robodyn.robot.model import Covariance, Robot
 
 #: The file that says it, beside the description.
 DATA_FILE: Final = "identify.json"
-_LARGEST: Final = 64 * MIB  # that of an arm of 100 links has 22 MB
 _EXPECTED: Final = "what `robodyn identify` wrote beside the description"
 
 
@@ -50,8 +49,10 @@ def numbers(robot: Robot) -> Floats:
     return np.concatenate([Model(robot).standard_parameters().ravel(), rotors])
 
 
-def covariance_to_dict(known: Covariance) -> dict[str, Any]:
-    """As ``identify.json`` has it."""
+def covariance_to_dict(robot: Robot) -> dict[str, Any]:
+    """That of an identified arm as ``identify.json`` has it."""
+    known = robot.covariance
+    assert known is not None
     assert known.values is not None
     assert known.root is not None
     return {"values": known.values.tolist(), "root": known.root.tolist()}
@@ -75,7 +76,7 @@ def spread_of(robot: Robot, shares: Floats) -> Floats | None:
     assert known.root is not None
     links = slice(0, 10 * robot.n)
     old, new = (x[links].reshape(-1, 10) for x in (known.values, numbers(robot)))
-    changed = ~np.isclose(new, old).all(axis=1)
+    changed = np.array([not np.allclose(a, b) for a, b in zip(new, old, strict=True)])
     more = np.zeros((robot.n * 10, 11 * robot.n))
     more[:, links] = np.diag((shares * changed[:, None]).ravel())
     return np.concatenate([known.root, more[more.any(axis=1)]])
@@ -88,7 +89,7 @@ def _read(robot: Robot, name: str) -> Covariance:
             remedy="give the path of the description, which lies beside that file, or delete covariance",
         )
     path = robot.file.with_name(name)
-    text = read_text(path, _LARGEST, _EXPECTED)
+    text = read_text(path, LARGEST_FILE, _EXPECTED)
     try:
         data = json.loads(text)["covariance"]
         values, root = (_array(data, key) for key in ("values", "root"))

@@ -117,6 +117,11 @@ KNOWN_MASS: Final = 1e-3
 LOAD_REACH: Final = 0.5
 """[longest link] So far from the last frame may the centre of a load be."""
 
+# --- known --------------------
+
+LARGEST_FILE: Final = 64 << 20
+"""[bytes] The covariance of an arm of 100 links takes some 22 MB of text."""
+
 # --- outcome --------------------
 
 KEPT_SHARE: Final = 1e-4

@@ -19,7 +19,7 @@ from robodyn.diagnose.select.rows import Rows
 from robodyn.diagnose.select.score import Trial, held_out
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.kernels.array_dynamics import physical
-from robodyn.robot.model import AXES
+from robodyn.robot.model import AXES, Robot
 
 
 def is_other_law(one: Family, key: Key) -> bool:
@@ -80,14 +80,23 @@ def foretells(one: Fit, other: Fit) -> float:
     return float((held_out(other) - held_out(one)).sum() / 2)
 
 
-def is_level(one: Trial, best: Trial, threshold: float) -> bool:
+def is_unlikely(one: Trial, robot: Robot) -> bool:
+    """Whether it is rare in arms, or contradicts what the description states of a link."""
+    first = one.family.first
+    fold = first.definition.traits.fold
+    if fold is not None and fold.into == "link" and first.joint is not None:
+        return robot.links[first.joint - 1].confidence is not None
+    return first.definition.level == "pair"
+
+
+def is_level(one: Trial, best: Trial, threshold: float, *, is_unlikely: bool) -> bool:
     """Whether it foretells as much as the ``best``: within a standard error (Breiman et al. 1984), or but for
-    what of so many would be chance, the ``threshold`` [nats]; or, where the best couples joints, which is
-    rare, but for what is worth no name at the joint where that is most."""
+    what of so many would be chance, the ``threshold`` [nats]; or, where the best ``is_unlikely``,
+    but for what is worth no name at the joint where that is most."""
     if ahead(best.gains - one.gains) <= 1 or best.gain - one.gain < threshold:
         return True
     ratio = (best.after / np.maximum(one.after, 1e-300)).min()
-    return best.family.first.definition.level == "pair" and bool(1 - np.sqrt(ratio) < PRACTICAL)
+    return is_unlikely and bool(1 - np.sqrt(ratio) < PRACTICAL)
 
 
 def special_cases(id: str) -> set[str]:

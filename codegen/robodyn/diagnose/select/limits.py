@@ -52,6 +52,15 @@ RESOLUTION: Final = 2.0
 RANGE: Final = 10.0
 """[-] as far from what the log's rates and encoders let expect."""
 
+NOISE_STEPS: Final = 20
+"""[-] Sizes of noise that are tried, from the sensors' to all that is left."""
+
+REST_DECADES: Final = (-0.5, -4.0)
+"""[decades] From the usual speed of a joint down to where no log resolves one."""
+
+REST_STEPS: Final = 8
+"""[-] Speeds that are tried there: half decades."""
+
 FIT_ROUNDS: Final = 6
 """[-] Steps of Gauss and Newton at most."""
 

@@ -55,8 +55,11 @@ def with_own_numbers(model: Model, share: float | None, *, is_timed: bool) -> Mo
 
 
 def _wider(fit: Fit) -> Iterator[Fit]:
-    """The fit with wider bounds of all of the arm's own numbers, the members as they are."""
-    for share in SHARES if fit.model.rows.robot.covariance is None else MULTIPLES:
+    """The fit with wider bounds of the arm's own numbers, the members as they are: of those of which nothing
+    is stated, or of those that were identified."""
+    robot = fit.model.rows.robot
+    open_shares = SHARES if any(link.confidence is None for link in robot.links) else ()
+    for share in open_shares if robot.covariance is None else MULTIPLES:
         if fit.model.share is None or share > fit.model.share:
             wider = fitted(with_own_numbers(fit.model, share, is_timed=fit.model.is_timed), 0)
             if wider is not None:
@@ -64,7 +67,7 @@ def _wider(fit: Fit) -> Iterator[Fit]:
 
 
 def widened(fit: Fit, threshold: float, best: Trial | None = None) -> Fit | None:
-    """The model with wider bounds of all of the arm's own numbers, where that foretells more by the
+    """The model with wider bounds of the arm's own numbers, where that foretells more by the
     ``threshold`` [nats], and clearly more than the ``best`` candidate: wrong numbers of one link."""
     before, choices = held_out(fit), []
     for wider in _wider(fit):

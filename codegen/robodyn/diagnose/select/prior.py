@@ -10,17 +10,17 @@ from robodyn.diagnose.select.limits import LEAST_CENTRE, LEAST_INERTIA
 from robodyn.kernels.array_dynamics import Model
 
 
-def prior_scales(model: Model, least: float = 0.0) -> Floats:
+def prior_scales(model: Model, unstated: float = 0.0) -> Floats:
     """Standard deviations [n, 10] of the links' standard parameters about the description: by the share that
-    is stated of each (of which nothing is stated: 0), or by the share ``least`` where that is more."""
+    is stated of each, or by the share ``unstated`` of those of which nothing is."""
     phi = model.standard_parameters()
     scales, usual = np.zeros_like(phi), usual_sizes(model)
     for k, link in enumerate(model.robot.links):
-        share = 0.0 if link.confidence is None else float(link.inertial_share)
-        is_free = link.confidence == "unknown" or least > share
+        share = unstated if link.confidence is None else float(link.inertial_share)
+        is_free = link.confidence in ("unknown", None)
         size = np.abs(phi[k])
         floor = np.concatenate(
             [[0.0], np.full(3, LEAST_CENTRE * size[0]), np.full(6, LEAST_INERTIA * size[4:7].max())]
         )
-        scales[k] = max(share, least) * np.maximum(size, usual[k] if is_free else floor)
+        scales[k] = share * np.maximum(size, usual[k] if is_free else floor)
     return scales

@@ -8,12 +8,14 @@ from dataclasses import replace
 import numpy as np
 
 from robodyn.arrays import Floats
-from robodyn.diagnose.select.limits import RANGE, RESOLUTION
+from robodyn.diagnose.select.limits import RANGE, RESOLUTION, REST_DECADES, REST_STEPS
 from robodyn.diagnose.select.members import Fit, solve
+from robodyn.diagnose.select.noise import rest_of
 from robodyn.diagnose.select.rows import Rows, with_speeds
-from robodyn.diagnose.select.score import Trial, log_likelihood
+from robodyn.diagnose.select.score import Trial, likelihood_of_any_noise, log_likelihood
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.prior import number_of
+from robodyn.robot.model import Robot
 
 
 def likelier_speeds(fit: Fit, expected: Floats, threshold: float, best: Trial | None) -> Floats | None:
@@ -31,6 +33,17 @@ def likelier_speeds(fit: Fit, expected: Floats, threshold: float, best: Trial | 
     return None if np.array_equal(speeds, rows.speeds) else speeds
 
 
+def rest_speeds(robot: Robot, rows: Rows) -> Floats:
+    """Speeds [n] below which friction of ``robot`` in proportion to the speed leaves least, of half decades
+    down from the usual ones, as :func:`robodyn.identify.rest.rest_speeds` has them before anything is
+    named."""
+    usual = np.sqrt(np.mean(rows.seen("qd") ** 2, axis=0))
+    noise = np.max([c.signals.speed_noise for c in rows.contexts], axis=0)
+    tried = np.maximum(usual * np.logspace(*REST_DECADES, REST_STEPS)[:, None], noise)
+    left = [(rest_of(robot, with_speeds(rows, speeds)) ** 2).sum(axis=0) for speeds in tried]
+    return np.asarray(tried[np.argmin(left, axis=0), np.arange(rows.n)])
+
+
 def foretold(fit: Fit, expected: Floats, threshold: float) -> tuple[Floats, float]:
     """The likelier speeds [n] of a fit, or its own, and its held-out log-likelihood with them [nats]."""
     speeds = likelier_speeds(fit, expected, threshold, None)
@@ -42,7 +55,7 @@ def foretold(fit: Fit, expected: Floats, threshold: float) -> tuple[Floats, floa
 
 def _likeliest(fit: Fit, speeds: Floats, expected: Floats, j: int) -> tuple[float, float]:
     """The likeliest speed of joint ``j`` (from 0), and what it foretells more [nats]."""
-    before = log_likelihood(fit)
+    before = likelihood_of_any_noise(fit)
     best, most = float(speeds[j]), 0.0
     for factor in (RESOLUTION, 1 / RESOLUTION):
         speed = best if most else float(speeds[j])
@@ -51,7 +64,7 @@ def _likeliest(fit: Fit, speeds: Floats, expected: Floats, j: int) -> tuple[floa
             tried = speeds.copy()
             tried[j] = speed
             other = _in_rows(fit, with_speeds(fit.model.rows, tried))
-            gain = 0.0 if other is None else float((log_likelihood(other) - before).sum())
+            gain = 0.0 if other is None else likelihood_of_any_noise(other) - before
             if gain <= most:
                 break
             best, most = speed, gain

@@ -10,7 +10,7 @@ import numpy as np
 from robodyn.arrays import Floats, Singles
 from robodyn.diagnose.limits import HALF_WIDTH
 from robodyn.diagnose.select.families import Family
-from robodyn.diagnose.select.limits import ABOVE_FLOOR, RIDGE
+from robodyn.diagnose.select.limits import ABOVE_FLOOR, NOISE_STEPS, RIDGE
 from robodyn.diagnose.select.members import Fit
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.friction import COULOMB
@@ -54,6 +54,7 @@ def trials(fit: Fit, found: Sequence[Family]) -> list[Trial]:
     flat = A.reshape(B, m * n, p)
     G, c, inverse, a, left = _folds(fit)
     before = (W * left**2).sum(1)  # [B, n]
+    priors = (fit.held * a**2).sum(1)
     weighted = np.sqrt(np.mean(left.reshape(-1, n) ** 2, axis=0)) > ABOVE_FLOOR * rows.floor
     single = [x.astype(np.float32) for x in (W, y, A)]  # as columns are: most of the time goes into these
     at_joints: dict[tuple[int, ...], tuple[Singles, ...]] = {}
@@ -92,7 +93,8 @@ def trials(fit: Fit, found: Sequence[Family]) -> list[Trial]:
         rest[:, :, J] -= (Zf[best, at] @ b[..., None]).reshape(B, m, len(J))
         after = (W * rest**2).sum(1)
         share = 1 - np.sqrt(after.sum(0) / np.maximum(before.sum(0), 1e-300))
-        against = held * (b**2).sum(-1) / (2 * B)  # by what is thought of such numbers beforehand
+        # By what is thought of such numbers beforehand, and of those that it lets be as they are described.
+        against = (held * (b**2).sum(-1) + (fit.held * a1**2).sum(1) - priors) / (2 * B)
         usual = int(np.bincount(best).argmax())
         if after.sum() < before.sum():
             sums = ZZ[usual].sum(0), ZA[usual].sum(0), cz[usual].sum(0)
@@ -108,21 +110,39 @@ def trials(fit: Fit, found: Sequence[Family]) -> list[Trial]:
 
 
 def held_out(fit: Fit) -> Floats:
-    """Weighted squares [B, n] of blocks that a fit was not made to."""
-    return np.asarray((fit.model.rows.weight[fit.model.rows.blocks] * _folds(fit)[-1] ** 2).sum(1))
+    """Weighted squares [B, n] of blocks that a fit was not made to, with a part each of what is against its
+    numbers beforehand."""
+    squares = (fit.model.rows.weight[fit.model.rows.blocks] * _folds(fit)[-1] ** 2).sum(1)
+    priors = (fit.held * _folds(fit)[3] ** 2).sum(1, keepdims=True)
+    return np.asarray(squares + priors / squares.size)
 
 
 def foretold_by(fit: Fit, one: Trial) -> float:
-    """Held-out log-likelihood of a fit with ``one`` beside it, but for the constant of
-    :func:`log_likelihood` [nats]."""
-    weight = fit.model.rows.weight[fit.model.rows.blocks]
-    return float(np.log(weight).sum() - one.after.sum()) / 2
+    """Held-out log-likelihood of a fit with ``one`` beside it, as of :func:`log_likelihood` [nats]."""
+    return float(log_likelihood(fit).sum()) + one.gain
 
 
 def log_likelihood(fit: Fit) -> Floats:
     """Held-out log-likelihood [B, n] of blocks, but for a constant."""
     weight = fit.model.rows.weight[fit.model.rows.blocks]
-    return np.asarray((np.log(weight) - weight * _folds(fit)[-1] ** 2).sum(1) / 2)
+    return np.asarray((np.log(weight).sum(1) - held_out(fit)) / 2)
+
+
+def likelihood_of_any_noise(fit: Fit) -> float:
+    """Held-out log-likelihood, but for a constant, with as much more noise at each joint as makes that most:
+    where a model leaves more than noise, what says less of its rows would win by that alone."""
+    rows = fit.model.rows
+    left = _folds(fit)[-1].reshape(-1, rows.n) ** 2
+    noise = rows.correlation * rows.sigma**2
+    resting = 1 / rows.weight[rows.blocks].reshape(-1, rows.n) - noise
+    most = np.maximum(left.mean(axis=0) / noise, 1.0)
+    total = [
+        -(np.log(variance) + left / variance).sum(axis=0) / 2
+        for share in np.linspace(0.0, 1.0, NOISE_STEPS)
+        for variance in [noise * most**share + resting]
+    ]
+    priors = (fit.held * _folds(fit)[3] ** 2).sum() / len(rows.blocks)
+    return float(np.max(total, axis=0).sum() - priors / 2)
 
 
 def _folds(fit: Fit) -> tuple[Floats, ...]:

@@ -48,7 +48,7 @@ COUPLED_BEYOND_SHARE: Final = 0.3
 
 LINK_WRONG: Final = 1.0
 """[shares] Numbers of a link that is not as described are off by about as much as it says, or its neighbours
-(a prior: nothing being stated, `identify` thinks so too; most motions do not see all of them)."""
+(a prior where nothing is stated: `identify` thinks so too; most motions do not see all of them)."""
 
 LOAD_SHARE: Final = 1.0
 """[share of the arm's mass] A load is about as heavy (a prior),"""

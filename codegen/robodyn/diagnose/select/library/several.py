@@ -64,6 +64,8 @@ def numbers(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
     elif fold is not None and fold.into == "link":  # from the tip: there they are fewest
         rows, Y, sizes = tuple(range(c.n)), _regressor(c), usual_sizes(c.model)
         for k in range(c.n - 1, -1, -1):
+            link = c.model.robot.links[k]
+            share = LINK_WRONG if link.confidence is None else float(link.inertial_share)
             yield Candidate(
                 effect.id,
                 k + 1,
@@ -73,7 +75,7 @@ def numbers(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
                 _standard,
                 shown.order,
                 coarse=True,
-                scale=LINK_WRONG * sizes[k],
+                scale=share * sizes[k],
             )
 
 
