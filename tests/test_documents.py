@@ -14,11 +14,9 @@ from benchmarks import counts
 from benchmarks.blind_arms.cases import INSIDE
 from benchmarks.cuda.__main__ import SHOWN as CUDA_SHOWN
 from benchmarks.cuda.__main__ import table as cuda_table
-from benchmarks.functions.tables import in_document
 from benchmarks.gap.documents import tables
 from benchmarks.marked import part, with_part
 
-import robodyn
 from robodyn import errors
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.kernels.generate import Options, generate
@@ -64,12 +62,6 @@ def test_tables_of_benchmarks_are_those_of_the_results(
     assert made(figures).count("\n") > 2
 
 
-def test_operations_of_every_function_are_those_of_the_results() -> None:
-    figures = json.loads((ROOT / "benchmarks" / "results" / "functions.json").read_text(encoding="utf-8"))
-    page = DOCUMENTS["function-counts.md"]
-    assert in_document(figures, page) == page, "run python -m benchmarks.functions --render"
-
-
 def test_the_exit_codes_are_those_of_the_errors() -> None:
     section = DOCUMENTS["tour.md"].partition("## Exit codes")[2].partition("\n## ")[0]
     codes = {int(code) for row in cells(section) for code in row[0].split(",")}
@@ -107,11 +99,6 @@ def test_what_kernels_with_built_in_sines_call(
     subprocess.run([gcc, "-std=c99", "-O2", *flags, "-c", "ur5.c"], cwd=tmp_path, check=True)
     listed = subprocess.run([nm, "-u", "ur5.o"], cwd=tmp_path, check=True, capture_output=True, text=True)
     assert set(re.findall(r"\bU (\w+)", listed.stdout)) - {"memset"} == called
-
-
-def test_compile_writes_what_gen_writes() -> None:
-    written = generate(load("puma560_3dof"), Options()).signatures
-    assert [*robodyn.compile("puma560_3dof").signatures] == [one.function for one in written]
 
 
 @pytest.mark.thorough

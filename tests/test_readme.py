@@ -24,15 +24,3 @@ def test_every_road_ends_in_a_link() -> None:
         last = section.strip().rpartition("\n\n")[2]
         assert "$ robodyn" in section, road
         assert "](docs/" in last, road
-
-
-def test_its_links_and_pictures_are_there() -> None:
-    targets = re.findall(r"\]\(([^)#:]+)\)", README)
-    assert len(targets) > 20
-    for target in targets:
-        assert (ROOT / target).is_file(), target
-
-
-def test_it_says_what_the_default_sine_costs() -> None:
-    (line,) = re.findall(r"`--trig builtin`.*?\]\(([^)]*)\)", README, flags=re.DOTALL)
-    assert (ROOT / line).is_file()

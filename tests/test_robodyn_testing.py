@@ -13,8 +13,6 @@ from pathlib import Path
 import pytest
 
 from robodyn_testing import (
-    covering,
-    representative,
     require_module,
     require_npm_package,
     require_tool,
@@ -79,26 +77,6 @@ def collected(paths: list[Path], packages: frozenset[str], ci: str = "") -> subp
     )
 
 
-@pytest.fixture
-def small_suite(tmp_path: Path) -> Path:
-    """One test that needs nothing, and one for each optional package, beside the suite's own conftest."""
-    (tmp_path / "conftest.py").write_text((TESTS / "conftest.py").read_text(encoding="utf-8"))
-    (tmp_path / "test_plain.py").write_text("def test_plain() -> None: ...\n")
-    for package in wanted.OPTIONAL:
-        text = f"import {package}\n\n\ndef test_with_{package}() -> None: ...\n"
-        (tmp_path / f"test_with_{package}.py").write_text(text)
-    return tmp_path
-
-
-def test_missing_packages_skip_what_imports_them(small_suite: Path) -> None:
-    run = collected([small_suite], wanted.OPTIONAL)
-    assert run.returncode == 0, run.stdout + run.stderr
-    assert "test_plain.py::test_plain" in run.stdout
-    assert "::test_with_" not in run.stdout
-    for package in wanted.OPTIONAL:
-        assert f"test_with_{package}.py: module {package}, for all of this file; to run this" in run.stdout
-
-
 @pytest.mark.slow
 def test_the_whole_suite_is_collected_without_optional_packages() -> None:
     run = collected([TESTS], wanted.OPTIONAL)
@@ -117,19 +95,3 @@ def test_optional_packages_are_those_of_the_extra() -> None:
 
 
 # --- representative cases -----------------------------------------------------------------------------------
-
-
-def test_all_cases_but_a_few_are_thorough() -> None:
-    cases = representative([("ur5", 1), ("tx40", 2), pytest.param("panda", 3, id="long")], "ur5", "long")
-    assert [case.values for case in cases] == [("ur5", 1), ("tx40", 2), ("panda", 3)]
-    assert [[mark.name for mark in case.marks] for case in cases] == [[], ["thorough"], []]
-    assert [case.id for case in cases] == [None, None, "long"]
-
-
-def test_the_few_of_a_product_have_every_value() -> None:
-    cases = covering(representative("abcd", "a", "b", "d"), [1, 2], [("x", "y")])
-    assert [case.values for case in cases] == [(a, b, "x", "y") for a in "abcd" for b in (1, 2)]
-    few = {case.values[:2] for case in cases if not case.marks}
-    assert few == {("a", 1), ("b", 2), ("d", 1)}
-    assert {mark.name for case in cases for mark in case.marks} == {"slow", "thorough"}
-    assert all(not case.marks or case.marks[-1].name == "slow" for case in cases)

@@ -10,14 +10,10 @@ import numpy as np
 import pytest
 from benchmarks.inverse_kinematics import positions
 from benchmarks.inverse_kinematics.chain import Chain, Floats, chain_of
-from benchmarks.inverse_kinematics.multistart import search
 from benchmarks.inverse_kinematics.sets import Answers, compared
 from benchmarks.inverse_kinematics.tables import written
 
-from robodyn import Options, program
 from robodyn.formats.loading import load
-from robodyn.ir.evaluate import evaluate
-from robodyn.ir.program import Input
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "examples" / "kinematics"
@@ -45,19 +41,6 @@ def test_every_arm_is_listed_with_its_source_and_licence() -> None:
         assert licence.partition(" ")[0] in robot.source
 
 
-@pytest.mark.parametrize("name", ["puma560", "stanford", "z1.yaml", "fr3.yaml"])
-def test_poses_are_those_of_the_kernels(name: str) -> None:
-    robot = load(name if name.isalnum() else FOLDER / name, warn=lambda _: None)
-    chain = chain_of(robot)
-    q = positions.drawn(chain, 3)
-    own = program(robot, "forward_kinematics", Options(("forward_kinematics",)))
-    (elements,) = evaluate(
-        own, {Input("q", i): q[:, i] for i in range(robot.n)}, functions={"sin": np.sin, "cos": np.cos}
-    ).values()
-    theirs = np.stack([np.broadcast_to(x, 3) for x in elements], axis=1).astype(float)
-    assert np.abs(chain.poses(q)[:, :3].reshape(3, -1) - theirs).max() < 1e-14
-
-
 def test_sets_are_compared_modulo_turns_and_say_what_each_side_lacks() -> None:
     chain = _chain("puma560")
     q = positions.drawn(chain, 4)
@@ -76,14 +59,6 @@ def test_sets_are_compared_modulo_turns_and_say_what_each_side_lacks() -> None:
     none = Answers(double.q, np.zeros((4, 2), dtype=bool))
     assert compared(chain, poses, none, _row(q)).missing == 4
     assert compared(chain, poses, _row(q), none).only_ours == 4
-
-
-def test_a_search_leads_to_all_eight_solutions_of_the_puma() -> None:
-    chain = _chain("puma560")
-    q = positions.drawn(chain, 1)
-    ends = search(chain, chain.poses(q), q, None)
-    assert ends.exists.sum() == 8
-    assert compared(chain, chain.poses(q), ends, _row(q)).missing == 0
 
 
 def test_the_tables_are_those_of_the_results() -> None:

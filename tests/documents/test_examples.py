@@ -10,7 +10,7 @@ from pathlib import Path
 import click
 import pytest
 
-from documents.blocks import FENCE, PAGES, ROOT, TUTORIALS, Block, Command, commands, matches, read
+from documents.blocks import FENCE, PAGES, ROOT, TUTORIALS, Command, commands, read
 from documents.running import Reader, checkout, program_folder
 from robodyn.robot import read_text
 from robodyn_cli.main import COMMANDS, HELP, cli
@@ -129,24 +129,3 @@ def test_descriptions_of_robots_are_robots() -> None:
 
 
 # --- the mechanism itself --------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("expected", "output", "same"),
-    [
-        ("a\n...", "a\n", True),
-        ("a\n...", "a\nb\nc\n", True),
-        ("...\nc", "a\nb\nc\n", True),
-        ("a ... c", "a\nc\n", False),
-        ("a  ", "a\n\n", True),
-        ("a", "a\nb\n", False),
-        ("1.5 (...)", "115 (x)\n", False),
-    ],
-)
-def test_dots_stand_for_what_varies(expected: str, output: str, same: bool) -> None:
-    assert matches(expected, output) is same
-
-
-def test_a_block_begins_with_a_command() -> None:
-    with pytest.raises(ValueError, match="begins with a command"):
-        list(commands(Block("console", "robodyn gen\n", 3)))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
-import re
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -11,14 +9,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
-from emit.crates import Crate
 from firmware.folders import digests, fortran, host, require_firmware_tools, run, write
 from robodyn.dynamics.functions import function_named
-from robodyn.emit.languages import compiled_language
 from robodyn.firmware import Folder, firmware, firmware_options, measure, targets_named
-from robodyn.firmware.digest import DTYPE, draw, fnv1a, kernel_sine, outputs, program_inputs, ranges
+from robodyn.firmware.digest import kernel_sine, outputs, program_inputs
 from robodyn.firmware.language_tests import language_tests
 from robodyn.firmware.rounding import rounding_bounds
 from robodyn.firmware.vectors import evaluated, missed_poses, well_conditioned
@@ -29,8 +24,6 @@ from robodyn.verify.sample import draw as draw_sample
 from robodyn_testing import require_tool
 
 ALL = ("inverse_kinematics", "nearest_inverse_kinematics")
-PROCESSORS = ("cortex-m3", "cortex-m4f", "cortex-m7")
-POSES = 300
 #: Bytes of code and of stack, and instructions a pose, that all branches may take.
 CEILINGS = {
     ("puma560", "cortex-m4f", "float"): (7000, 520, 3300),
@@ -72,132 +65,6 @@ def test_all_branches_on_a_microcontroller(name: str, target: str, scalar: str) 
 
 
 # --- bits -------------------------------------------------------------------------------------------------
-
-
-def edge_poses(name: str, scalar: str) -> dict[str, NDArray[Any]]:
-    """Poses ``T`` of positions within the limits, of quarter turns, where branches meet and joints are free,
-    and of poses beyond reach; and positions ``q_near``."""
-    robot, real = load(name, warn=lambda _: None), DTYPE[scalar]  # type: ignore[index]
-    q = draw(ranges(robot, ("q",), scalar), POSES, 5, scalar)["q"].astype(float)  # type: ignore[arg-type]
-    quarters = slice(POSES // 4, POSES // 2)
-    q[quarters] = np.rint(q[quarters] / (np.pi / 2)) * (np.pi / 2)
-    T = Reference(robot).tool_pose(q).reshape(POSES, 12)
-    T[POSES // 2 : 3 * POSES // 4, 3::4] *= 0.1  # the axis of the first joint, and within what is reached
-    T[3 * POSES // 4 :, 3::4] *= 10
-    T[-2:] = 0
-    return {"T": T.astype(real), "q_near": q.astype(real)}
-
-
-def c_table(name: str, states: dict[str, NDArray[Any]], of: Generated) -> str:
-    """Poses and a function that gives the digest of all results at them, in C."""
-    rows = ",\n".join(
-        "{" + ", ".join(float(x).hex() for x in row) + "}" for row in np.hstack(list(states.values()))
-    )
-    lines = []
-    for signature in of.signatures:
-        size = sum(length for _, length in signature.outputs)
-        starts = np.cumsum([0, *(length for _, length in signature.outputs)])
-        results = ", ".join(f"x + {start}" for start in starts[:-1])
-        lines += [
-            f"        {signature.symbol}(poses[k], poses[k] + 12, {results});",
-            f"        for (unsigned i = 0; i < sizeof(x[0])*{size}u; ++i)",
-            "            digest = (digest ^ ((const unsigned char *)x)[i])*16777619u;",
-        ]
-    body = "\n".join(lines)
-    return f"""#include <stdint.h>
-#include "{name}.h"
-static const {name}_real poses[{POSES}][{12 + states["q_near"].shape[1]}] = {{
-{rows}
-}};
-uint32_t digest_of_poses(void);
-uint32_t digest_of_poses(void)
-{{
-    static {name}_real x[100];
-    uint32_t digest = 2166136261u;
-    for (int k = 0; k < {POSES}; ++k) {{
-{body}
-    }}
-    return digest;
-}}
-"""
-
-
-_MAIN = """#include <stdio.h>
-#include "table.c"
-int main(void) { printf("poses digest %08x\\n", (unsigned)digest_of_poses()); return 0; }
-"""
-_IMAGE = """#include "NAME_semihosting.h"
-#include "table.c"
-int main(void)
-{
-    const uint32_t digest = digest_of_poses();
-    char text[9] = {0};
-    for (int k = 0; k < 8; ++k) text[k] = "0123456789abcdef"[digest >> (28 - 4*k) & 15u];
-    semihosting_write("poses digest ");
-    semihosting_write(text);
-    semihosting_write("\\n");
-    return 0;
-}
-"""
-
-
-def digest_in(said: str) -> int:
-    match = re.search(r"^poses digest ([0-9a-f]+)", said, re.M)
-    assert match, said
-    return int(match[1], 16)
-
-
-def in_fortran(of: Generated, states: dict[str, NDArray[Any]], where: Path) -> NDArray[Any]:
-    """The results of all functions at ``states``, one after another: ``[POSES, size]``."""
-    command = [require_tool("gfortran"), *compiled_language("fortran")[1].flags, "-shared", "-fPIC"]
-    source = f"{of.unit.robot.name}.f90"
-    assert run([*command, source, "-o", "fortran.so"], where)[0] == 0
-    library, results = ctypes.CDLL(str(where / "fortran.so")), []
-    for k in range(POSES):
-        for signature in of.signatures:
-            parts = [np.empty(size, states["T"].dtype) for _, size in signature.outputs]
-            arrays = [*(np.ascontiguousarray(x[k]) for x in states.values()), *parts]
-            getattr(library, f"{signature.symbol}_f")(*(a.ctypes.data_as(ctypes.c_void_p) for a in arrays))
-            results += parts
-    return np.concatenate(results).reshape(POSES, -1)
-
-
-def named(of: Generated, rows: NDArray[Any]) -> dict[str, NDArray[Any]]:
-    """Results of all functions by name."""
-    sizes = [length for signature in of.signatures for _, length in signature.outputs]
-    names = [array for signature in of.signatures for array, _ in signature.outputs]
-    return dict(zip(names, np.split(rows, np.cumsum(sizes)[:-1], axis=1), strict=True))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("scalar", ["float", "double"])
-@pytest.mark.parametrize("name", ["puma560", "ur5", "panda"])
-def test_the_same_bits_where_branches_meet_and_beyond_reach(name: str, scalar: str, tmp_path: Path) -> None:
-    of, states = kernel_of(name, scalar), edge_poses(name, scalar)
-    sines = kernel_sine(scalar)  # type: ignore[arg-type]
-    rows = [outputs(program, states, {}, scalar, sines) for _, program in of.unit.functions]  # type: ignore[arg-type]
-    expected = np.hstack(rows)
-    assert np.isfinite(expected).all()
-    results = named(of, expected)
-    assert (results["singular"] == 1).any(axis=1).sum() > 20
-    assert (results["exists"] == 0).all(axis=1).sum() > 50
-
-    files = folder(name, scalar, *PROCESSORS).files
-    table = {"table.c": c_table(name, states, of), f"{name}_image.c": _IMAGE.replace("NAME", name)}
-    write(tmp_path, {**files, **table, "main.c": _MAIN})
-    by_processor = {}
-    for cc in ("gcc", "clang"):
-        command = [require_tool(cc), "-std=c99", "-O2", "-ffp-contract=off", f"{name}.c", "main.c"]
-        assert run([*command, "-lm", "-o", cc], tmp_path)[0] == 0
-        by_processor[cc] = digest_in(run([str(tmp_path / cc)], tmp_path)[1])
-    for target in targets_named(PROCESSORS):
-        require_firmware_tools(target)
-        command = [require_tool("make"), "run", f"TARGET={target.name}"]
-        by_processor[target.name] = digest_in(run(command, tmp_path)[1])
-    by_processor["fortran"] = fnv1a(in_fortran(of, states, tmp_path))
-    crate = Crate(of, tmp_path)
-    by_processor["rust"] = fnv1a(np.hstack([crate.run(s.function, states, {}, 0.0) for s in of.signatures]))
-    assert set(by_processor.values()) == {fnv1a(expected)}, by_processor
 
 
 def test_in_floats_too_what_exists_reaches_its_pose_and_no_pose_is_lost() -> None:

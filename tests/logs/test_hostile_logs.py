@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from logs.test_log import complaint, made, same
+from logs.test_log import complaint, made
 from robodyn.errors import InputError, ToolError
 from robodyn.logs import recording
 from robodyn.logs.formats import text as text_format
@@ -51,17 +51,6 @@ def test_whatever_is_changed_in_a_file_it_is_read_or_refused(tmp_path: Path) -> 
         path.write_bytes(data)
         with contextlib.suppress(InputError):
             assert read_log(path).samples == ROWS
-
-
-def test_parquet_is_the_same_log(tmp_path: Path) -> None:
-    require_module("pyarrow")
-    log = made()
-    path = tmp_path / "log.parquet"
-    data = log.files("log.parquet")["log.parquet"]
-    assert isinstance(data, bytes)
-    assert data == log.parquet()
-    path.write_bytes(data)
-    assert same(read_log(path), log)
 
 
 def test_parquet_of_others(tmp_path: Path) -> None:

@@ -4,63 +4,19 @@ Markdown is made of the figures."""
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from benchmarks.peers import __main__ as race_main
-from benchmarks.peers import candidates, ours
-from benchmarks.peers.building import STRICT, Lacking, Source, library
+from benchmarks.peers import candidates
+from benchmarks.peers.building import Lacking
 from benchmarks.peers.candidates import Candidate, Missing
-from benchmarks.peers.race import Race, harness, paired
+from benchmarks.peers.race import paired
 from benchmarks.peers.tables import markdown
 
 from robodyn.bench.peers.numbers import numbers_of
 from robodyn.robot import load
-from robodyn_testing import require_tool
-
-
-def perturbed(folder: Path, target: Path) -> Candidate:
-    """Our own kernel with one number changed in its sixth digit, as if it were a peer."""
-    text = (folder / "libm" / "puma560_3dof.c").read_text()
-    at = text.index("17.4") if "17.4" in text else text.rindex("0.")
-    changed = folder / "changed.c"
-    end = at
-    while text[end] in "0123456789.":
-        end += 1
-    changed.write_text(f"{text[:at]}({text[at:end]} * 1.00001){text[end:]}")
-    names = ("HEADER", '"puma560_3dof.h"'), ("REAL", "double"), ("KERNEL", "puma560_3dof_inverse_dynamics")
-    source = Source(("robodyn.c", changed), (f"-I{folder / 'libm'}",), defines=names)
-    built = library(target, source, STRICT)
-    return Candidate("other", "a peer with another arm", "", built, None)
-
-
-@pytest.mark.thorough
-def test_a_peer_with_other_torques_does_not_race(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    require_tool("gcc")
-
-    def peers(arm: Any, folder: Path, asked: Any) -> Iterator[Candidate | Missing]:
-        yield perturbed(folder, folder / "other.so")
-        yield Missing("absent", "a peer that is absent", "it is on holiday")
-
-    monkeypatch.setattr(race_main, "peers", peers)
-    monkeypatch.setattr(race_main, "batches", lambda robot, folder: [])
-    monkeypatch.setattr(ours, "BUILDS", dict.fromkeys(ours.BUILDS, ("-O1",)))
-    monkeypatch.setattr(Race, "instructions", lambda *_: None)
-    found, pinocchio = race_main.native("puma560_3dof", tmp_path, harness(tmp_path), (), 4)
-    assert pinocchio is None
-    rows = {row["key"]: row for row in found["native"]["rows"]}
-    assert set(rows) == {
-        f"robodyn-{t}{b}" for t in ("builtin", "libm", "given") for b in ("", "-scheduled", "-v3", "-default")
-    }
-    assert all(row["ns"] > 0 and row["worst"] < 1e-12 for row in rows.values())
-    assert rows["robodyn-builtin"]["ratio"] == [1, 1, 1]
-    said = {one["title"]: one["why"] for one in found["native"]["missing"]}
-    assert said["a peer with another arm"].startswith("refused: ")
-    assert "another torque in state" in said["a peer with another arm"]
-    assert said["a peer that is absent"] == "it is on holiday"
 
 
 def test_what_cannot_be_had_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -42,14 +42,6 @@ def test_make_builds_and_tests_it(copy: Copy) -> None:
         assert (place / "libstanford_3dof_dynamics.a").is_file()
 
 
-def test_a_second_run_knows_its_files(copy: Copy) -> None:
-    package(copy, "twice")
-    package(copy, "twice", "--version", "2.0.0")
-    copy.robodyn(
-        "package", "stanford_3dof", "--as", NAME, "-o", "twice", "--optimize", "fast", "--check", code=1
-    )
-
-
 def test_help_and_projects_know_it(copy: Copy) -> None:
     words = " ".join(copy.robodyn("package", "--help").split())
     assert "make (a Makefile, for make and a C compiler)" in words

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-import subprocess
 import textwrap
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -184,32 +182,6 @@ def test_no_program_leaves_that_is_something_else(copy: Copy, robot: str) -> Non
     assert "differs from plain Newton-Euler" in said
 
 
-@pytest.mark.thorough
-def test_the_firmware_tests_itself(copy: Copy) -> None:
-    require_tool("cc")
-    robots = {"puma560": "puma560", "loaded": "loaded.yaml"}
-    found = answers(
-        copy,
-        *(
-            f"gen {robot} --firmware --functions accelerating_power --target cortex-m4f -o {name} --json"
-            for name, robot in robots.items()
-        ),
-    )
-    for name, answer in zip(robots, found, strict=True):
-        assert answer["code"] == 0, answer["err"]
-        folder = copy.work / name / "firmware"
-        assert "accelerating_power_vectors" in (folder / f"{name}_selftest.c").read_text()
-        sources = [f"{name}.c", f"{name}_selftest.c", f"{name}_selftest_main.c"]
-        subprocess.run(
-            ["cc", "-std=c99", "-O2", "-Wall", "-Werror", "-ffp-contract=off", *sources, "-o", "test"],
-            cwd=folder, check=True, timeout=60,
-        )  # fmt: skip
-        done = subprocess.run([folder / "test"], capture_output=True, text=True, check=False, timeout=60)
-        assert done.returncode == 0, done.stdout
-        for processor in json.loads(str(answer["out"]))["firmware"]:
-            assert "FAILED" not in json.dumps(processor)
-
-
 def test_the_record_must_be_whole() -> None:
     """A record that nothing could check, and one that takes another's name, end where they are read."""
     import dataclasses
@@ -228,18 +200,3 @@ def test_the_record_must_be_whole() -> None:
     other = gravity.results[0]._replace(unit="kg m^2/s^2")
     with pytest.raises(ValueError, match="the array 'tau' is 'joint torques"):
         registered([dataclasses.replace(gravity, name="more", results=(other,))])
-
-
-def test_a_folder_of_records_is_what_there_is() -> None:
-    """Every file of the folder but the record's own lists functions."""
-    from robodyn.dynamics import functions
-
-    folder = Path(functions.__file__).parent
-    assert {"__init__", "record", "standard"} <= {file.stem for file in folder.glob("*.py")}
-    assert functions.by_default() == (
-        "inverse_dynamics",
-        "gravity",
-        "bias",
-        "mass_matrix",
-        "forward_dynamics",
-    )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 
 import numpy as np
 import pytest
@@ -20,30 +19,11 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Copy:
     return Copy(tmp_path_factory.mktemp("robot"), {FILE: source_in_recipe(TITLE, "robots/NAME.yaml")})
 
 
-def test_the_robot_is_listed(copy: Copy) -> None:
-    assert "scara" in copy.robodyn("robots", "--names").split()
-    assert "SCARA, two revolute joints" in copy.robodyn("robots")
-
-
 def test_every_command_of_the_recipe_works(copy: Copy) -> None:
     commands = commands_in_recipe(TITLE)
     assert [command[0] for command in commands] == ["robots", "gen", "verify", "flops"]
     for command in commands:
         copy.robodyn(*command)
-
-
-@pytest.mark.thorough
-def test_kernels_and_counts(copy: Copy) -> None:
-    """No doubts, the payload an argument, the same bytes again, few operations."""
-    assert "warning" not in copy.robodyn("gen", "scara", "--strict", "-o", "generated/scara")
-    folder = copy.work / "generated/scara"
-    assert {path.name for path in folder.iterdir()} == {"scara.h", "scara.c", "scara.f90"}
-    header = (folder / "scara.h").read_text(encoding="utf-8")
-    assert re.search(r"scara_real m_load;", header)
-    copy.robodyn("gen", "scara", "-o", "generated/scara", "--check")
-    assert 0 < json.loads(copy.robodyn("flops", "scara", "--json"))["total"] < 80
-    counts = json.loads(copy.robodyn("flops", "scara", "--functions", "gravity", "--json"))
-    assert 0 < counts["total"] < 5  # only the stroke lifts anything
 
 
 def test_the_numbers_are_right(copy: Copy) -> None:

@@ -69,14 +69,3 @@ def test_the_stack_is_proved_for_it(copy: Copy) -> None:
     (proof,) = json.loads((copy.work / "proof" / "proof.json").read_text(encoding="utf-8"))["proofs"]
     rows = {row["machine"].partition(",")[0]: row for row in proof["stack"]}
     assert 0 < rows[NAME]["bytes"] < 200, rows[NAME]["reason"]
-
-
-def test_a_file_of_another_name_is_found_out(copy: Copy) -> None:
-    definition = copy.folder / FILE
-    source = definition.read_text(encoding="utf-8")
-    definition.write_text(source.replace('name="cortex-m33"', 'name="cortex-m35p"'), encoding="utf-8")
-    try:
-        said = copy.robodyn("gen", "puma560", "--target", NAME, code=70)
-        assert "its target is called cortex-m35p" in said
-    finally:
-        definition.write_text(source, encoding="utf-8")

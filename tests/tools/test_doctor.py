@@ -140,13 +140,6 @@ class TestCommand:
         assert main(["doctor", "--need", "answer"]) == 2
         assert "did you mean 'answers'" in capsys.readouterr().err
 
-    def test_a_required_library_is_missed(
-        self, few: None, monkeypatch: pytest.MonkeyPatch, capsys: Capture
-    ) -> None:
-        monkeypatch.setattr(Library, "present", lambda self: False)
-        assert main(["doctor"]) == 3
-        assert "missing: numpy; pip install numpy" in capsys.readouterr().err
-
     @pytest.mark.parametrize("module", ["jinja2", "yaml"])
     def test_it_runs_where_nothing_else_does(self, module: str) -> None:
         code = (
