@@ -3,7 +3,6 @@ ends it."""
 
 from __future__ import annotations
 
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -73,20 +72,6 @@ def test_it_writes_what_gen_writes(project: Path, capsys: Capture) -> None:
     run(capsys, f"gen other.yaml {options} --scalar float -o gen/two")
     assert tree(project / "generated" / "one") == tree(project / "gen" / "one")
     assert tree(project / "firmware" / "two") == tree(project / "gen" / "two")
-
-
-def test_nothing_is_done_twice(project: Path, generated: list[str], capsys: Capture) -> None:
-    (project / "elbow.yaml").write_text(ELBOW.replace("xx: 0.2", "xx: 2"))
-    _, doubts = run(capsys, BUILD)
-    assert "robodyn: warning: elbow.yaml:6:" in doubts
-    assert generated == ["one", "two"]
-    times = {name: (project / name).stat().st_mtime_ns for name in FILES}
-    for more in ("", " --check"):
-        out, err = run(capsys, BUILD + more)
-        assert re.fullmatch(r"2 robots, 4 functions, \d+ operations; no count changed\n", out)
-        assert err == doubts
-    assert generated == ["one", "two"]
-    assert times == {name: (project / name).stat().st_mtime_ns for name in FILES}
 
 
 @pytest.mark.parametrize(
@@ -170,20 +155,6 @@ def test_packages_are_written_with_the_kernels(project: Path, generated: list[st
     (project / "crate" / "src" / "lib.rs").write_text("// mine\n")
     _, err = run(capsys, f"{BUILD} --check", code=1)
     assert "crate/src/lib.rs differs from line 1 on: found '// mine'" in err
-
-
-@pytest.mark.thorough
-def test_firmware_is_written_as_gen_writes_it(project: Path, capsys: Capture) -> None:
-    """But for the README, which has what one machine measured."""
-    text = PROJECT.replace('scalar = "float"', 'firmware = true\ntarget = "cortex-m4f"')
-    (project / "robodyn.toml").write_text(text)
-    run(capsys, BUILD)
-    options = "--functions inverse_dynamics,gravity --lang c --target cortex-m4f"
-    run(capsys, f"gen other.yaml --firmware {options} -o gen")
-    own = tree(project / "firmware" / "two")
-    assert {**own, "firmware/README.md": ""} == {**tree(project / "gen"), "firmware/README.md": ""}
-    assert "firmware/link.ld" in own
-    run(capsys, f"{BUILD} --check")
 
 
 # --- signals, other builds, terminals ---------------------------------------------------------------------

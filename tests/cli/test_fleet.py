@@ -78,29 +78,6 @@ def test_units_are_diagnosed_and_their_pages_lead_there(here: Path) -> None:
     assert '<a href="report.html">' in page
 
 
-@pytest.mark.parametrize(
-    ("options", "code", "what"),
-    [
-        ("--on nowhere", 2, "no place where work could run"),
-        ("--on dask://host:70000", 2, "dask://HOST:PORT (up to 65535)"),
-        ("--false-names 1", 2, "--false-names is not a share; found 1; expected less than 1"),
-        ("--tls-ca ca.pem", 2, "TLS takes two files at least"),
-        (
-            "--tls-ca ca.pem --tls-cert own.pem --on local",
-            2,
-            "TLS is for a scheduler of Dask",
-        ),
-        ("--diagnose some", 2, "'some' is not one of"),
-    ],
-)
-def test_what_cannot_be_is_refused(
-    options: str, code: int, what: str, logs: Path, here: Path, capsys: Capture
-) -> None:
-    assert main(["fleet", str(logs), "-o", "out", *options.split()]) == code
-    assert what in " ".join(capsys.readouterr().err.split())
-    assert not (here / "out" / "index.html").exists()
-
-
 def test_the_plain_install_runs_a_fleet_and_says_what_is_missing(
     logs: Path, here: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
 ) -> None:

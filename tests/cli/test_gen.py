@@ -38,20 +38,6 @@ def test_files_go_to_generated_under_the_working_folder(elsewhere: Path, capsys:
     assert " ".join(out.split()).startswith(f"puma560: wrote {names} ")
 
 
-def test_a_second_run_overwrites_and_leaves_other_files_alone(elsewhere: Path, capsys: Capture) -> None:
-    out = elsewhere / "a" / "b c" / "é"
-    out.mkdir(parents=True)
-    (out / "main.c").write_text("mine")
-    run(capsys, "gen stanford_3dof --formulation newton_euler --output", str(out))
-    run(capsys, "gen stanford_3dof -o", "a/b c/é")
-    once = tree(out)
-    run(capsys, "gen stanford_3dof -o", "a/b c/é")
-    assert tree(out) == once
-    assert once["main.c"] == "mine"
-    assert set(once) == FILES | {"main.c"}
-    assert not (elsewhere / "generated").exists()
-
-
 def test_languages(elsewhere: Path, capsys: Capture) -> None:
     for languages, names in (
         ("c", {"tool.h", "tool.c"}),

@@ -158,17 +158,6 @@ def test_the_file_itself_and_xacro(xacro: Path, capsys: Capture) -> None:
     assert "reading two.urdf.xacro, expanded by xacro" in out
 
 
-@pytest.mark.usefixtures("elsewhere")
-def test_whatever_the_formats_nothing_differs(capsys: Capture) -> None:
-    for end in ("urdf", "sdf"):
-        run(capsys, f"export ur10 --to {end} -o arm.{end}")
-    out, err = run(capsys, "diff arm.urdf arm.sdf")
-    assert out.splitlines()[-1] == "nothing differs"
-    lines = err.splitlines()
-    assert len(lines) == 3
-    assert all("gravity is assumed" in line or "not used: visual geometry" in line for line in lines)
-
-
 def test_differences_as_json(capsys: Capture) -> None:
     data = run_json(capsys, "diff ur5 ur10 --tolerance 0.5", code=1)
     assert (data["robots"], data["same"], data["operations"]) == (["ur5", "ur10"], False, [185, 185])

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from robodyn.errors import InputError
 from robodyn.logs.log import read_log
 from robodyn.logs.mapping import read_map
 from robodyn_cli.main import main
@@ -59,23 +58,6 @@ def test_columns_on_the_command_line_go_before_the_map(
     assert ranges["q1"] == [pytest.approx(-1, abs=1e-3), pytest.approx(1, abs=1e-3)]
 
 
-def test_an_input_is_not_overwritten(foreign: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["logs", "log.csv", "-o", "log.csv"]) == 2
-    assert "is an input and would be overwritten" in capsys.readouterr().err
-
-
-@pytest.mark.parametrize("file", ["none.csv", "none.mcap", "none.db3", "none.mat", "none.npz", "none.json"])
-def test_no_such_file(
-    file: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert main(["logs", file]) == 2
-    assert f"{file}: the " in capsys.readouterr().err
-    assert main(["logs", file, "-o", ""]) == 2
-    with pytest.raises(InputError, match=f"{file}: the "):
-        read_log(file)
-
-
 @pytest.mark.parametrize(
     ("name", "module", "extra"),
     [("log.mcap", "rosbags", "ros"), ("log.db3", "rosbags", "ros"), ("log.mat", "h5py", "mat")],
@@ -93,17 +75,3 @@ def test_a_library_that_is_missing(
     path.write_bytes(b"MATLAB 7.3 MAT-file".ljust(512) + b"\x89HDF\r\n\x1a\n")
     assert main(["logs", str(path)]) == 3
     assert f"pip install 'robodyn[{extra}]'" in capsys.readouterr().err
-
-
-def test_diagnose_takes_a_map(foreign: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    Path("arm.yaml").write_text(
-        "name: arm\nlinks:\n  - {joint: revolute, alpha: -pi/2, mass: 0.5, com: [0.3, 0, 0],\n"
-        "     inertia: {xx: 0.01, yy: 0.01, zz: 0.01}}\n"
-    )
-    assert main(["diagnose", "arm.yaml", "log.csv", "-o", "out"]) == 2
-    assert "robodyn logs log.csv -o map.yaml proposes one" in capsys.readouterr().err
-    code = main(
-        ["diagnose", "arm.yaml", "log.csv", "--columns", "t=time,q=pos_1[furlong],tau=trq_1", "-o", "out"]
-    )
-    assert code == 2
-    assert "--columns:1:8: q: the unit is unknown here; found 'furlong'" in capsys.readouterr().err

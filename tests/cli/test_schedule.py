@@ -40,12 +40,6 @@ def test_the_json_that_others_rely_on(capsys: Capture) -> None:
     assert faults_of_levels(general_graph(6).after, 8, found["slots"]) == found["faults"] == []
 
 
-def test_tasks_and_layers_of_any_arm(capsys: Capture) -> None:
-    for n in (2, 3, 6, 12):
-        found = made(capsys, f"--links {n} -p 4")
-        assert (found["tasks"], found["critical_path"]) == (43 * n - 27, 4 * n + 3)
-
-
 def test_the_stanford_arm_by_rule_and_as_printed(capsys: Capture) -> None:
     by_rule = made(capsys, "stanford -p 8")
     assert (by_rule["tasks"], by_rule["critical_path"], by_rule["levels"]) == (154, 25, 25)
@@ -123,15 +117,6 @@ def test_a_kernel_cut(capsys: Capture) -> None:
     assert not slow["synchronised"]
     assert slow["levels"] == slow["time"] > slow["times"][-1]
     assert len(slow["slots"]) == len(slow["times"])
-
-
-def test_costs_of_the_thesis_s_tasks(capsys: Capture) -> None:
-    """A multiplication three times as long as an addition: a task of products 9, one of sums 3."""
-    found = made(capsys, "--links 6 -p 4 --cost mul=3,add=1")
-    even = made(capsys, "--links 6 -p 4 --cost mul=1,add=1")
-    assert even["work"] == 3 * 231
-    assert 3 * 231 < found["work"] < 9 * 231
-    assert found["time"] >= found["lower_bound"] > even["lower_bound"]
 
 
 def test_logarithmic_forms(capsys: Capture) -> None:

@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from cli.command import Capture, run, run_json
-from robodyn.logs.log import Log, read_log
+from robodyn.logs.log import read_log
 from robodyn.robot import load, to_yaml
 from robodyn.simulate.kinematics import Kinematics
 from robodyn_cli import progress
@@ -93,45 +93,12 @@ def test_a_constant_force_gives_a_parabola(solver: str, capsys: Capture) -> None
     assert (log.tau == 3).all()
 
 
-def test_rows_of_torques_are_held_or_joined(capsys: Capture) -> None:
-    """One row is for all time."""
+def test_rows_of_torques_are_joined_and_the_last_one_is_held(capsys: Capture) -> None:
     t = np.arange(11) / 10
     table("ramp.csv", "tau1,t", np.column_stack([6 * t, t]))
-    simulate(capsys, "slide.yaml --torque ramp.csv --linear --param m=2")
-    log = read_log("slide.csv")
-    np.testing.assert_allclose(log.q[:, 0], log.t**3 / 2, atol=1e-12)
-    simulate(capsys, "slide.yaml --torque ramp.csv --param m=2 --rate 10")
-    speed = np.concatenate([[0], np.cumsum(3 * t[:-1] * 0.1)])
-    held = read_log("slide.csv")
-    np.testing.assert_allclose(held.q[-1, 0], np.sum(speed[:-1] * 0.1 + 3 * t[:-1] * 0.1**2 / 2), atol=1e-12)
     _, err = simulate(capsys, "slide.yaml --torque ramp.csv --linear --param m=2 --duration 2 --rate 10")
     assert "the torques end at 1 s; the last row is held" in err
-    assert read_log("slide.csv").q[-1, 0] == pytest.approx(0.5 + 1.5 + 3 / 2)
-    Path("f.csv").write_text("t,tau1\n0,4\n")
-    simulate(capsys, "slide.yaml --torque f.csv --param m=2 --duration 0.5")
-    assert read_log("slide.csv").q[-1, 0] == pytest.approx(0.25)
-
-
-def test_a_pendulum_swings_back_after_its_period(capsys: Capture) -> None:
-    """Through the arithmetic-geometric mean; and by energy, its speed at the bottom."""
-    start = 2.0
-    inertia = 0.1 + 2 * 0.5**2
-    a, b = 1.0, math.cos(start / 2)
-    for _ in range(6):
-        a, b = (a + b) / 2, math.sqrt(a * b)
-    period = math.tau / math.sqrt(2 * 9.81 * 0.5 / inertia) / a
-    times = f"--duration {period!r} --rate {200 / period!r}"
-    found = figures(capsys, f"pendulum.yaml --from {start} {times} --rtol 1e-12")
-    assert found["drive"] == {"kind": "free"}
-    log = read_log("pendulum.csv")
-    assert log.samples == 201
-    assert log.q[[-1, 100], 0] == pytest.approx([start, -start], abs=1e-8)
-    (joint,) = found["joints"]
-    assert (joint["lowest"], joint["highest"]) == pytest.approx((-start, start), abs=1e-8)
-    fastest = math.sqrt(2 * 2 * 9.81 * 0.5 * (1 - math.cos(start)) / inertia)
-    assert joint["peak_speed"] == pytest.approx(fastest, rel=1e-6)
-    assert found["energy"]["error"] < 1e-9
-    assert joint["stuck"] is None
+    assert read_log("slide.csv").q[[10, -1], 0] == pytest.approx([0.5, 0.5 + 1.5 + 3 / 2])
 
 
 def test_a_joint_that_friction_holds_is_stuck(capsys: Capture) -> None:
@@ -195,17 +162,9 @@ def test_gains_are_made_for_the_inertia_and_the_rate(
     assert (drive["kp"], drive["kd"]) == (pytest.approx([kp]), pytest.approx([kd]))
 
 
-def test_excitation_stays_inside_the_limits(capsys: Capture) -> None:
-    command = "slide.yaml --excite --duration 4 --param m=2 --harmonics 3 --seed"
-    assert simulate(capsys, f"{command} 3")[1] == ""
-    log = read_log("slide.csv")
-    speeds, rates = (np.zeros(1) if x is None else np.abs(x) for x in (log.qd, log.qdd))
-    shares = np.abs(log.q).max(), speeds.max() / 2, rates.max() / 20
-    assert 0.95 < max(shares) < 1
-    assert min(shares) > 0
-    assert log.q[-1, 0] == pytest.approx(log.q[0, 0], abs=1e-3)
-    simulate(capsys, f"{command} 4 -o other.csv")
-    assert abs(read_log("other.csv").q[0, 0] - log.q[0, 0]) > 1e-3
+def test_excitation_goes_by_the_limits_or_says_which_are_assumed(capsys: Capture) -> None:
+    assert simulate(capsys, "slide.yaml --excite --duration 4 --param m=2 --harmonics 3 --seed 3")[1] == ""
+    assert 0.1 < np.abs(read_log("slide.csv").q).max() < 1
     _, err = simulate(capsys, "pendulum.yaml --excite --duration 1 --base-frequency 2")
     assert "pendulum has no limits for joint 1; assumed: -3.14 to 3.14 rad, 2 rad/s, 10 rad/s^2" in err
 
@@ -220,16 +179,12 @@ def test_a_motion_from_a_file_beyond_its_limits_is_told(capsys: Capture) -> None
     assert told["trajectory"]["file"] == "motion.csv"
 
 
-def test_a_line_is_straight(capsys: Capture) -> None:
-    """It is the same line in the world of an arm that stands elsewhere and states its tool."""
+def test_a_line_is_the_same_in_the_world_of_an_arm_that_stands_elsewhere(capsys: Capture) -> None:
     common = "--from 0,-0.5,0.3 --duration 1 --rate 50"
     simulate(capsys, f"puma560_3dof --line 0.5,0.3,0.3:0.4,-0.1,0.4 --point 0,-0.43,0 {common}")
     robot, log = load("puma560_3dof"), read_log("puma560_3dof.csv")
     way = Kinematics(robot, {}, (0, -0.43, 0), 3).position(log.q)
     np.testing.assert_allclose(way[[0, -1]], [[0.5, 0.3, 0.3], [0.4, -0.1, 0.4]], atol=1e-4)
-    ahead = way[-1] - way[0]
-    aside = np.cross(way - way[0], ahead / np.linalg.norm(ahead))
-    assert np.abs(aside).max() < 1e-4
     arm = to_yaml(robot).replace("links:", "base: {xyz: [1, 2, 0], rpy: [0, 0, pi/2]}\nlinks:")
     Path("there.yaml").write_text(arm + "tool: {xyz: [0, -0.43, 0]}\n")
     simulate(capsys, f"there.yaml --line 0.7,2.5,0.3:1.1,2.4,0.4 {common} -o there.csv")
@@ -307,11 +262,8 @@ def test_the_same_command_gives_the_same_bytes(capsys: Capture) -> None:
 
 def test_an_encoder_has_steps(capsys: Capture) -> None:
     simulate(capsys, "pendulum.yaml --from 1 --duration 0.3 --encoder-bits 10 --velocity difference")
-    log: Log = read_log("pendulum.csv")
-    steps = log.q / (math.tau / 1024)
+    steps = read_log("pendulum.csv").q / (math.tau / 1024)
     np.testing.assert_allclose(steps, np.rint(steps), atol=1e-9)
-    assert log.qd is not None
-    np.testing.assert_allclose(log.qd[1:], np.diff(log.q, axis=0) / 1e-3, atol=1e-9)
     _, err = simulate(capsys, "slide.yaml --speed 1 --duration 0.1 --encoder-bits 10 --param m=2")
     assert "--encoder-bits does not apply to prismatic joints (1)" in err
 

@@ -106,17 +106,6 @@ def test_logs_of_an_arm_without_gravity(log: str, capsys: Capture) -> None:
         run(capsys, command)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("arm", "seed", "log"),
-    [("on_its_axis", 0, "tiny_torque"), ("rotors_alone", 0, "still"), ("massless_tip", 2, "constant")],
-)
-def test_logs_of_other_arms(arm: str, seed: int, log: str, capsys: Capture) -> None:
-    write(arm, log, seed)
-    for command in OF_BOTH:
-        run(capsys, command)
-
-
 @pytest.mark.parametrize("arm", _marked(("massless", "on_its_axis", "gantry"), ("massless",), ()))
 def test_kernels_agree_where_all_torques_are_zero(arm: str, capsys: Capture) -> None:
     names = "jacobian,tool_jacobian,jacobian_dot_qd,regressor,controller"

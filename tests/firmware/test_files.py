@@ -12,10 +12,9 @@ from pathlib import Path
 import pytest
 
 from firmware.folders import SCALARS, STRICT, STRICT_FORTRAN, folder, made, run, write
-from robodyn.errors import InputError
 from robodyn.firmware import firmware, firmware_options, measure, targets_named
 from robodyn.kernels.generate import Options, generate
-from robodyn.robot import load, read_text
+from robodyn.robot import load
 from robodyn.targets import TARGETS
 from robodyn_testing import representative, require_tool
 
@@ -110,47 +109,6 @@ def test_the_type_follows_the_targets() -> None:
     assert firmware_options(Options(), ("cortex-m7",)).scalar == "double"
     assert firmware_options(Options(), ("cortex-m7",), scalar="float").scalar == "float"
     assert firmware_options(Options(), ()).functions == ("inverse_dynamics",)
-
-
-@pytest.mark.parametrize(
-    ("targets", "said"),
-    [
-        (("cortex-m",), "there is no firmware for the target 'cortex-m'.*did you mean 'cortex-m"),
-        (("x86-64",), "there is no firmware for the target 'x86-64'"),
-        (("avr",), "expected one of cortex-m3, cortex-m4f, cortex-m7"),
-        (("cortex-m3", "cortex-m3"), "named twice"),
-        (("cortex-m4", "cortex-m4f"), "named twice"),
-    ],
-)
-def test_unknown_targets_are_refused(targets: tuple[str, ...], said: str) -> None:
-    with pytest.raises(InputError, match=said):
-        firmware_options(Options(), targets)
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("friction_at_rest: {smooth: {velocity: 0.02}}\nlinks: [{joint: revolute, friction: {coulomb: 1}}]",
-         "calls tanh of the C library.*friction_at_rest: exact"),
-        ("links: [{joint: revolute, mass: 1, com: [1, 0, 0], effects: [{effect: stribeck_friction, level: 3, "
-         "static: 5, velocity: 0.1}]}]", "calls exp"),
-        ("links: [{joint: revolute, mass: 1, com: [1, 0, 0], effects: [{effect: presliding_hysteresis, "
-         "stiffness: 100, level: 3, damping: 1}]}]", "remembers from call to call"),
-    ],
-)  # fmt: skip
-def test_what_needs_a_library_or_a_memory_is_refused(text: str, said: str) -> None:
-    generated = generate(
-        read_text(f"name: one\n{text}", warn=lambda _: None), firmware_options(Options(), ())
-    )
-    with pytest.raises(InputError, match=said):
-        firmware(generated, targets_named(()))
-
-
-def test_other_sines_and_no_c_are_refused() -> None:
-    with pytest.raises(InputError, match="--trig asks for libm"):
-        firmware_options(Options(), (), trig="libm")
-    with pytest.raises(InputError, match="a firmware folder is for C"):
-        firmware(made("puma560", "float"), targets_named(()), ("fortran",))
 
 
 def test_without_fortran_there_is_none() -> None:

@@ -214,37 +214,3 @@ def fortran_program(consumer: Consumer) -> str:
         "end program",
     ]
     return "\n".join(lines) + "\n"
-
-
-def rust_program(consumer: Consumer) -> str:
-    """The program in Rust."""
-    packed = consumer.package
-    lines = []
-    for case in consumer.cases:
-        routine = case.routine
-        arguments = [f"&{array.name}" for array in routine.inputs]
-        arguments += [f"&mut {array.name}" for array in routine.outputs]
-        arguments += ["&parameters"] if packed.parameters else []
-        body = [
-            f"let {array.name}: [Real; {array.size}] = std::array::from_fn(|_| next());"
-            for array in routine.inputs
-        ]
-        body += [f"let mut {array.name} = [0.0; {array.size}];" for array in routine.outputs]
-        body.append(f"{packed.name}::{routine.name}({', '.join(arguments)});")
-        body += [f'for x in {array.name} {{ println!("{{x:e}}"); }}' for array in routine.outputs]
-        lines.append(f"for _ in 0..{STATES} {{ {' '.join(body)} }}")
-    values = ", ".join(f"{name}: {value!r}" for name, value in consumer.parameters.items())
-    parameters = f"let parameters = {packed.name}::Params {{ {values} }};" if values else ""
-    return f"""\
-#![allow(non_snake_case)]
-use {packed.name}::Real;
-use std::io::Read;
-fn main() {{
-    let mut text = String::new();
-    std::io::stdin().read_to_string(&mut text).unwrap();
-    let mut words = text.split_whitespace();
-    let mut next = || -> Real {{ words.next().unwrap().parse().unwrap() }};
-    {parameters}
-    {chr(10).join(lines)}
-}}
-"""

@@ -6,7 +6,6 @@ from __future__ import annotations
 import ast
 import re
 import zipfile
-from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path, PurePosixPath
 
@@ -141,44 +140,22 @@ def test_a_maintainer(text: str, name: str, email: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("what", "texts", "message"),
+    ("what", "text", "message"),
     [
-        ("version", ("1", "1.0", "01.0.0", "1.0.0-rc1", "1.0.0\n", "v1.0.0", ""), "no version of a package"),
-        ("license", ("", 'MIT"', "MIT\nGPL", "x" * 200), "this is no licence"),
-        (
-            "maintainer",
-            ("Ada Lovelace", "ada@example.org", "", "A <a@example.org> <b@example.org>"),
-            "this is no maintainer",
-        ),
-        (
-            "maintainer",
-            ("<ada@example.org>", "... <ada@example.org>", "x" * 300 + " <ada@example.org>"),
-            "this name of a maintainer",
-        ),
-        (
-            "maintainer",
-            [f"Ada{sign} <ada@example.org>" for sign in (' "A"', ", Bob", " ${HOME}", " \\", "\u202eavA")],
-            "this name of a maintainer; found .*; expected letters",
-        ),
-        (
-            "maintainer",
-            [
-                f"Ada <{address}>"
-                for address in (
-                    "ada", "ada@example", "ada@example.org\n", "ada@exämple.org", "a..b@example.org",
-                    "a" * 300 + "@example.org",
-                )
-            ],
-            "this is no address",
-        ),
+        ("version", "1.0.0\n", "no version of a package"),
+        ("license", "MIT\nGPL", "this is no licence"),
+        ("license", "x" * 200, "this is no licence"),
+        ("maintainer", "x" * 300 + " <ada@example.org>", "this name of a maintainer"),
+        ("maintainer", "Ada \u202eavA <ada@example.org>", "this name of a maintainer"),
+        ("maintainer", "Ada <ada@example.org\n>", "this is no address"),
+        ("maintainer", f"Ada <{'a' * 300}@example.org>", "this is no address"),
     ],
-)  # fmt: skip
-def test_what_nobody_is_called(what: str, texts: Sequence[str], message: str) -> None:
+)
+def test_what_would_end_a_line_or_fill_a_page(what: str, text: str, message: str) -> None:
+    """What else nobody is called: cli/golden/package.txt."""
     form = next(iter(FORMATS.values()))
-    generated = kernels(form)
-    for text in texts:
-        with pytest.raises(InputError, match=message):
-            package(generated, form, **{what: text})
+    with pytest.raises(InputError, match=message):
+        package(kernels(form), form, **{what: text})
 
 
 def test_an_archive() -> None:

@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 
 from packages.consumers import MAINTAINER, UPPER_CASE, packaged, run, write
-from robodyn_testing import covering, require_module, require_tool
+from robodyn_testing import require_module, require_tool
 
 pytestmark = pytest.mark.thorough
 
@@ -103,8 +103,7 @@ def pio(core: Path, cwd: Path, *arguments: str) -> str:
 
 
 @pytest.mark.parametrize(
-    ("robot", "options"),
-    covering(["stanford_3dof", UPPER_CASE], [((),), (("--scalar", "double", "--trig", "libm"),)]),
+    ("robot", "options"), [("stanford_3dof", ()), (UPPER_CASE, ("--scalar", "double", "--trig", "libm"))]
 )
 def test_the_sketch(robot: str, options: tuple[str, ...], core: Path, tmp_path: Path) -> None:
     """PlatformIO makes C++ of the sketch, finds the library by its header and builds it with its own flags;

@@ -13,26 +13,16 @@ import pytest
 from emit.crates import without_network
 from packages.consumers import (
     MAINTAINER,
-    Consumer,
     consumer,
     fortran_program,
     loaded_arm,
     run,
-    rust_program,
     write,
 )
 from robodyn.kernels.generate import Options
 from robodyn_testing import require_module, require_tool
 
 pytestmark = pytest.mark.thorough
-CRATE = """\
-[package]
-name = "consumer"
-version = "0.1.0"
-edition = "2021"
-[dependencies]
-{package} = {{ path = "../package", version = "1.2" }}
-"""
 FPM = """\
 name = "consumer"
 [dependencies]
@@ -51,36 +41,27 @@ def cargo_environment(folder: Path) -> dict[str, str]:
     return {**os.environ, "RUSTFLAGS": "-D warnings", "CARGO_TARGET_DIR": str(folder / "target")}
 
 
-def check_project(user: Consumer, folder: Path) -> None:
-    """Build the project that depends on the package, run it, and hold its numbers to what is expected."""
+def test_a_project_depends_on_an_fpm_package_in_float_with_parameters(tmp_path: Path) -> None:
+    """Called like the tool. A crate is used so by its own tests, which see no more of it than a project."""
+    options = Options(scalar="float", trig="builtin")
+    user = consumer(str(loaded_arm(tmp_path, "fpm")), "fpm", options, parameters={"m_tool": 1.5})
+    write(tmp_path / "package", user.package.files())
+    manifest = FPM.format(package=user.package.name)
+    project = write(tmp_path / "project", {"fpm.toml": manifest, "app/main.f90": fortran_program(user)})
+    run(*fpm(), "build", "--profile", "release", cwd=project)
+    user.check(run(*fpm(), "run", "--profile", "release", cwd=project, stdin=user.stdin))
+
+
+def test_a_crate_in_float_with_parameters(tmp_path: Path) -> None:
+    """Called like a crate of Rust's own, and without a library of sines in float."""
+    options = Options(scalar="float", trig="libm")
+    user = consumer(str(loaded_arm(tmp_path, "core")), "crate", options, parameters={"m_tool": 1.5})
+    assert user.package.name == "core_dynamics"
     files = user.package.files()
-    write(folder / "package", files)
-    if user.package.format.name == "crate":
-        manifest = CRATE.format(package=user.package.name)
-        project = write(folder / "project", {"Cargo.toml": manifest, "src/main.rs": rust_program(user)})
-        write(project, without_network(str(files["Cargo.toml"])))
-        command: tuple[str, ...] = (require_tool("cargo"), "run", "--offline", "--quiet")
-    else:
-        manifest = FPM.format(package=user.package.name)
-        project = write(folder / "project", {"fpm.toml": manifest, "app/main.f90": fortran_program(user)})
-        run(*fpm(), "build", "--profile", "release", cwd=project)
-        command = (*fpm(), "run", "--profile", "release")
-    user.check(run(*command, cwd=project, stdin=user.stdin, environment=cargo_environment(folder)))
-
-
-@pytest.mark.parametrize(("form", "trig"), [("crate", "builtin"), ("fpm", "libm")])
-def test_a_project_depends_on_it(form: str, trig: str, tmp_path: Path) -> None:
-    functions = ("inverse_dynamics", "mass_matrix", "jacobian")
-    check_project(consumer("stanford_3dof", form, Options(functions, trig=trig)), tmp_path)  # type: ignore[arg-type]
-
-
-@pytest.mark.parametrize(("form", "name", "trig"), [("crate", "core", "libm"), ("fpm", "fpm", "builtin")])
-def test_in_float_with_parameters(form: str, name: str, trig: str, tmp_path: Path) -> None:
-    """Called like a crate of Rust's own, or like the tool."""
-    options = Options(scalar="float", trig=trig)  # type: ignore[arg-type]
-    user = consumer(str(loaded_arm(tmp_path, name)), form, options, parameters={"m_tool": 1.5})
-    assert user.package.name == f"{name}_dynamics"
-    check_project(user, tmp_path)
+    package = write(tmp_path / "package", files)
+    write(package, without_network(str(files["Cargo.toml"])))
+    command = (require_tool("cargo"), "test", "--offline", "--quiet")
+    run(*command, cwd=package, environment=cargo_environment(tmp_path))
 
 
 def test_cargo_would_publish_it(tmp_path: Path) -> None:

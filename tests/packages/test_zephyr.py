@@ -37,8 +37,7 @@ def built(cmake: str, module: Path, folder: Path) -> str:
     return run(cmake, "--build", "build", "--verbose", cwd=folder)
 
 
-@pytest.mark.parametrize("options", [(), LIBM])
-@pytest.mark.parametrize("robot", ["stanford_3dof", UPPER_CASE])
+@pytest.mark.parametrize(("robot", "options"), [("stanford_3dof", ()), (UPPER_CASE, LIBM)])
 def test_the_sample(robot: str, options: tuple[str, ...], cmake: str, tmp_path: Path) -> None:
     """It is configured without a warning and passes; a wrong kernel does not."""
     name = "stanford_3dof" if robot != UPPER_CASE else "UPPER_case"
