@@ -24,7 +24,6 @@ BOMB = (
     + "".join(f'<!ENTITY {chr(98 + i)} "{f"&{chr(97 + i)};" * 10}">' for i in range(9))
     + "]>"
 )
-EXTERNAL = '<!DOCTYPE robot [<!ENTITY a SYSTEM "file:///etc/passwd">]>'
 
 
 def deep(tag: str, levels: int) -> str:
@@ -40,7 +39,6 @@ def changed(old: str, new: str) -> str:
 _LINE = [joint(f"j{i}", f"l{i}", f"l{i + 1}") for i in range(499)]
 CASES: dict[str, tuple[bytes | str, str]] = {
     "entities": (BOMB + changed('"arm"', '"&j;"'), "the file has a document type"),
-    "external entity": (EXTERNAL + PAIR, "the file has a document type"),
     "deep": (f"<robot>{deep('link', 100_000)}</robot>", "the elements are nested too deeply"),
     "many elements": ("<robot>" + "<link/>" * 110_000 + "</robot>", "the file has too many elements"),
     "many attributes": (
@@ -49,20 +47,10 @@ CASES: dict[str, tuple[bytes | str, str]] = {
     ),
     "large": (b"<robot>" + b" " * (17 << 20) + b"</robot>", "the file is too large; found more than 16 MiB"),
     "empty": ("", "the file is empty"),
-    "blank": (" \n\t\n", "the file is empty"),
     "binary": (bytes(range(256)) * 10, "the file is not UTF-8 text; found byte 0x80"),
     "comments": ("<robot>" + "<!--" * 400_000, "1:16: the file is not XML; found not well-formed"),
     "elf": (b"\x7fELF\x02\x01\x01\0", "1:1: the file is not XML"),
-    "yaml": ("name: arm\n", "1:1: the file is not XML"),
-    "not closed": (PAIR[:-8], "the file is not XML; found no element found"),
-    "nan": (changed('value="1"', 'value="nan"'), "is not a number; found 'nan'"),
     "long number": (changed('value="1"', f'value="{"1" * 100_000}"'), "is too large; found '1111"),
-    "other xml": ("<html/>", "1:1: the format is unknown; found <html>"),
-    "only a root": ('<robot name="x"/>', "the robot has no links"),
-    "keyword": (changed('"arm"', '"double"'), "the robot's name is a keyword of C; found 'double'"),
-    "keyword of Fortran": (changed('"arm"', '"Allocate"'), "is a keyword of Fortran; found 'Allocate'"),
-    "header": (changed('"arm"', '"math"'), "hides the C header <math.h>"),
-    "control characters": (changed('"j"', '"j&#x9b;31m"'), "the control character U+009B"),
     "long name": (changed('"j"', f'"{"j" * 100_000}"'), "has 100000 characters, 200 are allowed"),
     "many links": (robot(*(f'<link name="l{i}"/>' for i in range(6000))), "too many links or joints"),
     "long chain": (robot(*(link(f"l{i}") for i in range(500)), *_LINE), "found 499 moving joints"),

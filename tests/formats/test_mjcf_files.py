@@ -56,18 +56,6 @@ REFUSED: dict[str, tuple[dict[str, str], str]] = {
         | {"40.xml": GRIPPER},
         "with what it includes, the file is too large",
     ),
-    "many replicas of replicas": (
-        {
-            "arm.xml": arm(
-                '<replicate count="1000"><replicate count="1000"><site name="s"/></replicate></replicate>'
-            )
-        },
-        "arm.xml:4:25: with what it includes, the file is too large",
-    ),
-    "too many to be quick": (
-        {"arm.xml": arm('<replicate count="6000"><site name="s"/></replicate>')},
-        "arm.xml:4:1: with what it includes, the file is too large",
-    ),
     "long names of replicas": (
         {"arm.xml": arm(f'<replicate count="900"><site name="{"s" * 40_000}"/></replicate>')},
         "arm.xml:4:24: with what it includes, the file is too large",
@@ -75,14 +63,6 @@ REFUSED: dict[str, tuple[dict[str, str], str]] = {
     "long prefix": (
         {"arm.xml": arm(f'<attach model="g" prefix="{"s" * 40_000}"/>', ATTACHED % "b.xml"), "b.xml": HAND},
         "arm.xml:4:19: prefix of <attach> is long",
-    ),
-    "no count": (
-        {"arm.xml": arm('<replicate count="1e9"/>')},
-        "arm.xml:4:12: the count of <replicate> is no whole number; found '1e9'",
-    ),
-    "composite": (
-        {"arm.xml": arm("<composite/>")},
-        "arm.xml:4:1: this changes torques, and is not modelled: composite",
     ),
 }  # fmt: skip
 

@@ -55,7 +55,6 @@ MODELLED = {
     },
     "gravity compensated without gravity": {"option": '<option gravity="0 0 0"/>', "body": ' gravcomp="1"'},
 }  # fmt: skip
-TENDON = '<tendon><fixed name="t" {}="2"><joint joint="j1" coef="1"/></fixed></tendon>'
 
 
 def written(folder: Path, parts: dict[str, str]) -> Path:
@@ -84,20 +83,6 @@ def test_what_is_left_out_leaves_the_rest_as_it_is(tmp_path: Path) -> None:
     assert load(path, without=["gravcomp"], warn=lambda _: None) == plain
     with pytest.raises(InputError, match="nothing of this name is left out"):
         load(path, without=["wind"])
-
-
-@pytest.mark.parametrize(
-    ("default", "motor"), [("", 'armature="1e-4"'), ('<default><motor damping="0.1"/></default>', "")]
-)
-def test_a_motor_with_inertia_or_damping_on_a_tendon_is_refused(
-    default: str, motor: str, tmp_path: Path
-) -> None:
-    require_module("mujoco")
-    tail = TENDON.format("margin") + f'<actuator><motor name="m" tendon="t" {motor}/></actuator>'
-    path = written(tmp_path, {"default": default, "tail": tail})
-    with pytest.raises(InputError, match=r"tendons \(motor m\); leave it out: --without tendon"):
-        load(path)
-    assert load(path, without=["tendon"], warn=lambda _: None).n == 3
 
 
 def test_a_site_between_two_points_is_a_frame_there(tmp_path: Path) -> None:
@@ -156,22 +141,6 @@ TRANSMISSION = """<transmission name="t{0}"><joint name="{1}"/><actuator name="m
 <mechanicalReduction>{2}</mechanicalReduction></actuator></transmission>"""
 
 
-@pytest.mark.parametrize(
-    ("inside", "message"),
-    [
-        (
-            TRANSMISSION.format(1, "i", 9),
-            r"4:1: .*\(joint i; .*\); .*--without transmission",
-        ),
-        (TRANSMISSION.format(1, "j", 9) + TRANSMISSION.format(2, "j", 8), "stated twice; found 8 after 9"),
-    ],
-)
-def test_urdf(inside: str, message: str, tmp_path: Path) -> None:
-    (tmp_path / "arm.urdf").write_text(URDF.format(inside))
-    with pytest.raises(InputError, match=message):
-        load(tmp_path / "arm.urdf")
-
-
 def test_rotor_inertia_of_a_urdf_acts_through_the_gear(tmp_path: Path) -> None:
     inside = TRANSMISSION.format(1, "j", 50).replace(
         "</actuator>", "<motorInertia>1e-4</motorInertia></actuator>"
@@ -180,9 +149,6 @@ def test_rotor_inertia_of_a_urdf_acts_through_the_gear(tmp_path: Path) -> None:
     path.write_text(URDF.format(inside))
     joint = load(path, warn=lambda _: None).links[0].joint
     assert joint.motor_inertia == Fraction(1, 4)
-    path.write_text(URDF.format(inside.replace("1e-4", "-1e-4")))
-    with pytest.raises(InputError, match="'j': <motorInertia> is negative"):
-        load(path)
 
 
 def test_a_message_is_the_same_whatever_the_seed_of_hashes(tmp_path: Path) -> None:
@@ -206,11 +172,6 @@ def test_urdf_twice_the_same(tmp_path: Path) -> None:
     gear = load(tmp_path / "arm.urdf", warn=lambda _: None).links[0].joint.gear
     assert gear is not None
     assert gear.ratio == -9
-    rotor = "<motorInertia>1e-4</motorInertia></actuator>"
-    two = "".join(TRANSMISSION.format(i, "j", -9).replace("</actuator>", rotor) for i in (1, 2))
-    (tmp_path / "arm.urdf").write_text(URDF.format(two))
-    with pytest.raises(InputError, match="<motorInertia> is stated by two transmissions"):
-        load(tmp_path / "arm.urdf")  # two motors, of equal rotors
 
 
 NEUTRAL = """<sdf version="1.10"><model name="arm"><link name="base"/><joint name="fix" type="fixed">
@@ -223,37 +184,13 @@ NEUTRAL = """<sdf version="1.10"><model name="arm"><link name="base"/><joint nam
 def test_words_that_change_nothing_are_not_refused(tmp_path: Path) -> None:
     (path := tmp_path / "arm.sdf").write_text(NEUTRAL)
     assert load(path, warn=lambda _: None).n == 1
-    path.write_text(NEUTRAL.replace("<gravity>1", "<gravity>false"))
-    with pytest.raises(InputError, match="--without gravity"):
-        load(path)
 
 
-MOTOR = '<actuator><motor joint="j1" {}/></actuator>'
-
-
-@pytest.mark.parametrize(
-    ("parts", "message"),
-    [
-        ({"tail": MOTOR.format('gear="nan" armature="1"')}, "gear of <motor> is not a number; found 'nan'"),
-        (
-            {"tail": MOTOR.format('gear="1e300" armature="1"')},
-            "joint 'j1': the rotor inertia is too large; found inf",
-        ),
-        ({"tail": MOTOR.format('gear="2" armature="-1"')}, "the rotor inertia is negative; found -4"),
-        ({"tail": MOTOR.format('gear="2" damping="-1"')}, "the damping is negative; found -4"),
-        ({"body": ' gravcomp="nan"'}, "gravcomp of <body> is not a number"),
-        ({"tail": '<equality><joint joint1="j2" polycoef="0 nan 0 0 0"/></equality>'}, "polycoef of <joint>"),
-        ({"option": '<option><flag gravity="perhaps"/></option>'}, "MuJoCo refuses the file; .*'perhaps'"),
-    ],
-)
-def test_numbers_that_are_none_or_beyond_all(
-    parts: dict[str, str], message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Nor does MuJoCo leave its log in the folder."""
+def test_what_mujoco_refuses_leaves_no_log(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     require_module("mujoco")
     monkeypatch.chdir(tmp_path)
-    path = written(tmp_path, parts)
-    with pytest.raises(InputError, match=message):
+    path = written(tmp_path, {"option": '<option><flag gravity="perhaps"/></option>'})
+    with pytest.raises(InputError, match=r"MuJoCo refuses the file; .*'perhaps'"):
         load(path)
     assert [file.name for file in tmp_path.iterdir()] == [path.name]
 

@@ -34,13 +34,6 @@ def refused(text: str, **options: object) -> str:
     return str(caught.value)
 
 
-def test_several_tips_are_refused_with_the_choices() -> None:
-    message = refused(GRIPPER)
-    assert message.startswith("arm.urdf: the mechanism branches and has several tips; found 2 tips; ")
-    assert "expected one of hand (2 joints), left (3 joints); choose one: " in message
-    assert "--tip LINK" in message
-
-
 def test_a_tip_is_taken_and_what_is_beyond_is_locked_and_lumped() -> None:
     serial = chain(GRIPPER, tip="hand")
     assert joints(serial) == ["shoulder", "elbow"]
@@ -138,41 +131,6 @@ def test_what_has_no_mass_is_reported() -> None:
         "links without inertia, and so without mass: a",
         "joints that carry no mass: one",
     )
-
-
-@pytest.mark.parametrize(
-    ("parts", "words"),
-    [
-        ([link("a"), joint("j", "a", "a")], "the joints form a circle; found j"),
-        (
-            [link("a"), link("b"), joint("j", "a", "b"), joint("k", "a", "b")],
-            "hangs on two joints: the mechanism has a closed loop",
-        ),
-        (
-            [
-                link("a"),
-                link("b"),
-                link("c"),
-                joint("i", "a", "b"),
-                joint("j", "c", "a"),
-                joint("k", "b", "c"),
-            ],
-            "the joints form a circle; found i, j, k",
-        ),
-        ([link("a")], "the robot has no joints"),
-        ([link("a"), link("b"), joint("j", "a", "b", "fixed")], "nothing moves below the link 'a'"),
-        (
-            [link(name) for name in "abcd"] + [joint("i", "a", "b"), joint("j", "c", "d")],
-            "several mechanisms; found the roots a, c",
-        ),
-        (
-            [link("a"), link("b"), joint("j", "a", "b", "revolute", '<mimic joint="k"/>')],
-            "follows a joint that is not there; found 'k'",
-        ),
-    ],
-)
-def test_what_is_no_tree_is_refused(parts: list[str], words: str) -> None:
-    assert words in refused(robot(*parts), tip="b" if "mimic" in parts[-1] else "")
 
 
 def test_joints_that_follow_each_other_are_refused() -> None:

@@ -1,4 +1,5 @@
-"""What readers of descriptions, projects, fleets, maps, logs, motions and numbers refuse, text by text."""
+"""What readers of descriptions, files in other formats, projects, fleets, maps, logs, motions and numbers
+refuse, text by text."""
 
 from __future__ import annotations
 
@@ -10,6 +11,7 @@ import pytest
 
 from robodyn.errors import InputError
 from robodyn.fleet.sources.reading import read_fleet
+from robodyn.formats.arm import import_arm
 from robodyn.logs.log import read_log
 from robodyn.logs.mapping import map_of_columns, map_of_text
 from robodyn.project.lock import read_lock
@@ -17,6 +19,7 @@ from robodyn.project.reading import read_project
 from robodyn.robot import numbers, read_text
 from robodyn.simulate.trajectories import from_file
 from robodyn_cli.project_keys import project_keys
+from robodyn_testing import require_module
 from robodyn_testing.clocks import calls_of
 from robodyn_testing.refusals import Reader, differences, refusals, write
 
@@ -78,6 +81,22 @@ def _motion(text: str, folder: Path) -> None:
     from_file(folder / "m.csv")
 
 
+def _urdf(text: str, folder: Path) -> None:
+    (folder / "arm.urdf").write_text(text, encoding="utf-8")
+    import_arm(folder / "arm.urdf")
+
+
+def _sdf(text: str, folder: Path) -> None:
+    (folder / "arm.sdf").write_text(text, encoding="utf-8")
+    import_arm(folder / "arm.sdf")
+
+
+def _mjcf(text: str, folder: Path) -> None:
+    require_module("mujoco")
+    (folder / "arm.xml").write_text(text, encoding="utf-8")
+    import_arm(folder / "arm.xml")
+
+
 READERS: dict[str, Reader] = {
     "columns": lambda text, _: map_of_columns(text),
     "description": _description,
@@ -88,11 +107,14 @@ READERS: dict[str, Reader] = {
     "manifest": _manifest,
     "map": lambda text, _: map_of_text(text, "map.yaml"),
     "mapped": _mapped,
+    "mjcf": _mjcf,
     "motion": _motion,
     "name": lambda text, _: numbers.parse(text, names=True),
     "number": _number,
     "project": _project,
+    "sdf": _sdf,
     "second": _second,
+    "urdf": _urdf,
 }
 
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 
-from robodyn import InputError, load
+from robodyn import load
 from robodyn.robot import Joint, Link, bundled_names, read_text, to_yaml
 from robodyn.robot.account import Origins, origins_in_words, origins_to_dicts
 from robodyn.robot.values import ZERO, angle
@@ -49,22 +49,6 @@ def test_what_a_description_says_of_its_numbers(top: str, first: str, origins: t
     assert robot.links[1].origins.mass == "absent", "no word makes a number of nothing"
     again = read_text(to_yaml(robot))
     assert [link.origins for link in again.links] == [link.origins for link in robot.links]
-
-
-@pytest.mark.parametrize(
-    ("top", "message"),
-    [
-        ("origin: sythetic", r"2:9: origin is unknown; found 'sythetic'.*did you mean 'synthetic'"),
-        ("origin: absent", "origin is unknown"),
-        ("origin: {inertial: absent}", "mass and inertia are stated"),
-        ("origin: {inertia: measured}", "unknown key; found 'inertia'.*'inertial'"),
-        ("origin: {inertial: guess}", "origin: inertial is unknown"),
-        ("origin: [measured]", "origin must be a single value"),
-    ],
-)
-def test_other_words_are_refused(top: str, message: str) -> None:
-    with pytest.raises(InputError, match=message):
-        read_text(described(top))
 
 
 def test_friction_may_be_an_effect() -> None:
