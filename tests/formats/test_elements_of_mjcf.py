@@ -12,7 +12,7 @@ import pytest
 from robodyn import load
 from robodyn.formats.elements_of import Entry, table_of
 from robodyn.verify.reference import Reference
-from robodyn_testing import require_module
+from robodyn_testing import representative, require_module
 from robodyn_testing.mujoco_chains import torques_of_file
 from robodyn_testing.refused import check_is_refused
 
@@ -110,6 +110,9 @@ MODELLED = [
     and (not entry.physics or name in shown(path))
     and entry.source != "before MuJoCo 4"
 ]
+#: Of each attribute one, of each place that attributes may be in one, all kinds of motors being alike.
+FEW = {("motor" if path[-1] in MOTORS else path[-1], name): (path, name) for path, name in reversed(MODELLED)}
+PLACES_OF_ROWS = {path[0]: (path, name) for path, name in MODELLED}
 REFUSED = [(path, name, entry) for path, name, entry in ROWS if entry.physics]
 
 
@@ -168,7 +171,9 @@ def arm(path: tuple[str, ...], attributes: Attributes) -> str:
     return ARM.format(**slots)
 
 
-@pytest.mark.parametrize(("path", "name"), MODELLED, ids=path_shown)
+@pytest.mark.parametrize(
+    ("path", "name"), representative(MODELLED, *FEW.values(), *PLACES_OF_ROWS.values()), ids=path_shown
+)
 def test_what_changes_torques_is_mujocos(path: tuple[str, ...], name: str, tmp_path: Path) -> None:
     require_module("mujoco")
     file, plain = tmp_path / "arm.xml", tmp_path / "plain.xml"
@@ -227,7 +232,12 @@ PLACES = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("path", PLACES, ids=path_shown)
+@pytest.mark.thorough
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, marks=[pytest.mark.slow] * bool(k % 4)) for k, path in enumerate(PLACES)],
+    ids=path_shown,
+)
 def test_what_is_said_to_be_of_no_effect_has_none_in_mujoco(
     path: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -13,7 +13,7 @@ import pytest
 from robodyn.errors import InputError
 from robodyn.formats.arm import import_arm
 from robodyn_cli.main import main
-from robodyn_testing import commit_seeds, require_module, seed_counts
+from robodyn_testing import commit_seeds, representative, require_module, seed_counts
 from robodyn_testing.random_mjcf import random_mjcf
 from robodyn_testing.random_trees import random_urdf
 from robodyn_testing.urdf_text import joint, link, robot
@@ -81,7 +81,7 @@ def test_what_is_no_arm_is_one_line(
     assert [path.name for path in tmp_path.iterdir()] == ["arm.urdf"]
 
 
-@pytest.mark.parametrize("case", ["entities", "deep", "many elements", "large"])
+@pytest.mark.parametrize("case", representative(("entities", "deep", "many elements", "large"), "entities"))
 def test_memory_is_bounded(case: str, tmp_path: Path) -> None:
     """In a process that may have 400 MB in all; 100 MB of a file are never read."""
     path = tmp_path / "arm.urdf"
@@ -119,7 +119,7 @@ def mutated(text: str, draw: random.Random) -> bytes:
     return bytes(data)
 
 
-@pytest.mark.parametrize("count", seed_counts(40, 600))
+@pytest.mark.parametrize("count", seed_counts(20, 600))
 def test_broken_files_are_refused_or_read(count: int, tmp_path: Path) -> None:
     """Whatever is wrong with a file: an error of ours, or an arm."""
     for seed in commit_seeds(count):

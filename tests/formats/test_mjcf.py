@@ -31,7 +31,7 @@ def chain(text: str, **options: Any) -> Serial:
     return serial_chain(tree(text), "arm", **options)
 
 
-@pytest.mark.parametrize("count", seed_counts(20, 300))
+@pytest.mark.parametrize("count", seed_counts(8, 300))
 def test_a_chain_is_what_mujoco_computes(count: int, mujoco: Any) -> None:
     for seed in commit_seeds(count):
         text = random_mjcf(seed)

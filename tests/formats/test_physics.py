@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -30,12 +29,7 @@ NOTHING = dict.fromkeys(("option", "default", "body", "joint", "tail"), "")
 
 HELD = '<equality><joint joint1="j2" polycoef="0.25 0 0 0 0"/></equality>'
 MODELLED = {
-    "no damping, that of a motor either": {
-        "option": '<option><flag damper="disable"/></option>',
-        "tail": '<actuator><motor joint="j1" gear="5" armature="2e-4" damping="0.3"/></actuator>',
-    },
     "a joint that is held": {"tail": HELD},
-    "no equations": {"option": '<option><flag equality="disable"/></option>', "tail": HELD},
     "motors on one joint": {
         "tail": '<actuator><motor joint="j1" gear="-50" armature="2e-4"/>'
         '<position joint="j1" kp="9" armature="1e-4" damping="0.3"/>'
@@ -111,15 +105,6 @@ def test_what_is_left_out_in_many_places_is_one_remark(tmp_path: Path) -> None:
     assert remark.endswith(" and 60 more)")
 
 
-@pytest.mark.parametrize("flag", ["equality", "constraint"])
-def test_an_equation_that_is_switched_off_holds_nothing(flag: str, tmp_path: Path) -> None:
-    require_module("mujoco")
-    parts = {"option": f'<option><flag {flag}="disable"/></option>', "tail": HELD}
-    remarks: list[str] = []
-    assert load(written(tmp_path, parts), warn=remarks.append).n == 3
-    assert any("what ties joints and bodies is switched off (flag)" in remark for remark in remarks)
-
-
 @pytest.mark.parametrize("limits", ['forcerange="-2 3"', 'ctrlrange="-2 3"'])
 def test_a_motor_that_turns_the_other_way(limits: str, tmp_path: Path) -> None:
     require_module("mujoco")
@@ -139,16 +124,6 @@ URDF = """<robot name="arm"><link name="base"/><link name="arm"><inertial><mass 
 {}</robot>"""
 TRANSMISSION = """<transmission name="t{0}"><joint name="{1}"/><actuator name="m{0}">
 <mechanicalReduction>{2}</mechanicalReduction></actuator></transmission>"""
-
-
-def test_rotor_inertia_of_a_urdf_acts_through_the_gear(tmp_path: Path) -> None:
-    inside = TRANSMISSION.format(1, "j", 50).replace(
-        "</actuator>", "<motorInertia>1e-4</motorInertia></actuator>"
-    )
-    path = tmp_path / "arm.urdf"
-    path.write_text(URDF.format(inside))
-    joint = load(path, warn=lambda _: None).links[0].joint
-    assert joint.motor_inertia == Fraction(1, 4)
 
 
 def test_a_message_is_the_same_whatever_the_seed_of_hashes(tmp_path: Path) -> None:

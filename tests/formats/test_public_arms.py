@@ -17,13 +17,22 @@ from robodyn.robot import read_text, to_yaml
 from robodyn.robot.masses import massless
 from robodyn.verify import Reference
 from robodyn.verify.against import comparable, compare, read_original
-from robodyn_testing import representative, require_module
+from robodyn_testing import require_module
 from robodyn_testing.public_arms import ARMS, arm_file
 
 FEW = ("ur_description/urdf/ur10_robot.urdf", "panda_description/urdf/panda.urdf", "al5d_robot.urdf")
 #: Why no chain goes to a link.
 REASONS = ("nothing moves", "follows the joint", "is floating")
 QUICK = [arm for arm in ARMS if arm[1].endswith(FEW)]
+#: Of the others every third in CI.
+CASES = [
+    *QUICK,
+    *(
+        pytest.param(*arm, marks=pytest.mark.slow if k % 3 else pytest.mark.thorough)
+        for k, arm in enumerate(ARMS)
+        if arm not in QUICK
+    ),
+]
 
 
 def chains(tree: Tree) -> Iterator[tuple[str, Serial]]:
@@ -41,7 +50,7 @@ def chains(tree: Tree) -> Iterator[tuple[str, Serial]]:
                 yield link, serial
 
 
-@pytest.mark.parametrize(("package", "file"), representative(ARMS, *QUICK))
+@pytest.mark.parametrize(("package", "file"), CASES)
 def test_every_chain_is_what_pinocchio_reads(package: str, file: str) -> None:
     require_module("pinocchio")
     path = arm_file(package, file)

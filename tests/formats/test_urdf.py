@@ -34,15 +34,3 @@ def test_what_is_not_used_is_listed_with_its_lines() -> None:
     ]
     assert tree(text).unused[2].text("arm.urdf") == "visual geometry (lines 3, 5)"
     assert tree(text).unused[1].text() == "materials (arm.urdf: line 2)"
-
-
-def test_inertia_is_turned_into_the_link() -> None:
-    inside = (
-        '<inertial><origin xyz="0.1 0.2 0.3" rpy="0 0 1.57079632679"/><mass value="12.93"/>'
-        '<inertia ixx="0.011" iyy="0.022" izz="0.03" ixy="0.001" ixz="0.002"/></inertial>'
-    )
-    (_, moved) = tree(robot(link("a"), link("b", inside), joint("j", "a", "b"))).links
-    assert moved.body is not None
-    assert moved.body.mass == 12.93
-    assert moved.body.com == (0.1, 0.2, 0.3)
-    assert moved.body.inertia == (0.022, 0.011, 0.03, -0.001, 0.0, 0.002)

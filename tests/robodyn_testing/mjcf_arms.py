@@ -8,7 +8,6 @@ SOLID = '<inertial pos="0.1 0.02 -0.03" mass="2" diaginertia="0.01 0.02 0.015"/>
 MESH = '<asset><mesh name="m" vertex="0 0 0 0.1 0 0 0 0.1 0 0 0 0.1"/></asset>'
 
 SHAPE = '<geom type="box" size="0.1 0.2 0.3" mass="3" pos="0.1 0.2 0.3"/>'
-IN_CLASS = '<default><default class="f"><geom type="mesh" mesh="m" mass="0"/>%s</default></default>'
 GRIPPER = (
     '<mujoco model="gripper"><compiler angle="radian"/><default><joint axis="0 1 0" damping="0.5"/>'
     '<default class="g"><geom type="capsule" size="0.02 0.1"/></default></default><worldbody>'

@@ -6,9 +6,11 @@ import hashlib
 import re
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 
 from robodyn.resources import data_dir
 from robodyn.robot import Comparison, Link, Robot, bundled_names, bundled_text, load, read_text
@@ -16,81 +18,12 @@ from robodyn.robot.masses import inertia_doubt
 from robodyn.verify.numbers import exact_value
 from robodyn_testing import exactly
 
-# Table 2.1: alpha_{i-1} in quarter turns, a_{i-1}, d_i. Table 2.2 with link 3 corrected.
-PUMA_DH = ((0, "0", "0"), (-1, "0", "0.2435"), (0, "0.4318", "-0.0934"),
-           (1, "-0.0203", "0.4331"), (-1, "0", "0"), (1, "0", "0"))  # fmt: skip
-STANFORD_DH = ((0, "0", "0"), (-1, "0", "0.1524"), (1, "0", "0"),
-               (0, "0", "0"), (-1, "0", "0"), (1, "0", "0"))  # fmt: skip
-NONE = "0 0 0 0"
-
-# Columns: mass, x, y, z | Ixx, Iyy, Izz | motor.
-PUMA = (
-    (NONE, "0 0 0.35", "1.14"),
-    ("17.40 0.0680 0.0060 -0.0160", "0.130 0.524 0.539", "4.71"),
-    ("4.80 0 -0.0700 0.0140", "0.066 0.0125 0.086", "0.83"),
-    ("0.82 0 0 -0.0190", "0.0018 0.0018 0.0013", "0.20"),
-    ("0.34 0 0 0", "3e-4 3e-4 4e-4", "0.179"),
-    ("0.09 0 0 0.032", "1.5e-4 1.5e-4 4e-5", "0.193"),
-)
-STANFORD = (
-    ("9.29 0 -0.1165 -0.0175", "0.276 0.071 0.255", "0.953"),
-    ("5.01 0 0 -0.1054", "0.108 0.100 0.018", "2.193"),
-    ("4.25 0 0 0.6447", "2.510 2.510 0.006", "0.782"),
-    ("1.08 0 -0.0054 -0.0092", "0.002 0.001 0.001", "0.106"),
-    ("0.63 0 -0.0566 0", "0.003 0.0004 0.003", "0.097"),
-    ("0.51 0 0 0.1554", "0.013 0.013 0.0003", "0.020"),
-)
-PUMA_D2 = (
-    (NONE, "0 0 1.490", "0"),
-    ("17.4 -0.068 0 0", "0.1351 0.6089 5.3301", "0"),
-    ("4.8 0 -0.070 0", "0.066 0.0134 0.9395", "0"),
-    ("0.82 0 0 -0.019", "0.0021 0.0021 0.2013", "0"),
-    ("0.34 0 0 0", "0.0003 0.0003 0.1794", "0"),
-    ("0.09 0 0 0.032", "0.0002422 0.0002422 0.1930", "0"),
-)
-STANFORD_D3 = (
-    ("9.29 0 -0.1165 -0.0175", "0.276 0.071 1.208", "0"),
-    ("5.01 0 0 -0.1054", "0.108 0.100 2.211", "0"),
-    ("4.25 0 0 -0.6447", "2.510 2.510 0", "0"),
-    ("1.08 0 -0.0054 -0.0092", "0.002 0.001 0.107", "0"),
-    ("0.63 0 -0.0566 0", "0.003 0.0004 0.1", "0"),
-    ("0.51 0 0 0.1554", "0.013 0.013 0.0203", "0"),
-)
-STANFORD_3_D3 = (*STANFORD_D3[:2], ("6.47 0 0 -0.6447", "2.510 2.510 0", "0"))
-PUMA_3_D12 = (
-    (NONE, "0 0 1.49", "0"),
-    ("17.4 -0.068 0 0", "0.130 0.524 5.249", "0"),
-    ("6.05 0 -0.07 0", "0.192 0.0154 1.042", "0"),
-)
+#: Of robots of the thesis: which DH rows, the links, and the row of Table 2.10.
+TRANSCRIPTS = yaml.safe_load(Path(__file__).with_name("transcripts.yaml").read_text(encoding="utf-8"))
+ROBOTS: dict[str, dict[str, Any]] = TRANSCRIPTS["robots"]
 # Program D.1.1: diagonals of the pseudo-inertias and m x, m y of links 1 to 3; of link 1 only Izz counts.
 PSEUDO_D11 = (("0.0058 0.0058 -0.0058", "0 0"), ("0.6984 0.0340 0.2416", "-1.1832 0"),
               ("0.0039 0.0335 0.1432", "0 -0.4235"))  # fmt: skip
-PUMA_3_D11 = (
-    (NONE, "0 0 0.0116", "0"),
-    ("17.4 -0.068 0 0", "0.2756 0.8595424 0.6519424", "0"),
-    ("6.05 0 -0.07 0", "0.147055 0.1471 0.007755", "0"),
-)
-# Program D.1.3 leads a point at 0.4318 along y of frame 3, the offset of the shoulder being 0.127.
-PUMA_3_D13_DH = ((0, "0", "0"), (-1, "0", "0.127"), (0, "0.4318", "0"))
-PUMA_3_D13 = ((NONE, "0 0 0", "0"),) * 3
-PUMA_3_D4 = (*PUMA_3_D12[:2], ("16.05 0 -0.2954 0", "2.056512 0.0154 2.906512", "0"))
-
-
-#: The robots of the thesis as its tables say them: DH rows, links, and the row that they are set beside.
-TRANSCRIPTS: dict[str, tuple[Any, Any, str | None]] = {
-    "puma560": (PUMA_DH, PUMA, "puma_6"),
-    "puma560_3dof": (PUMA_DH, PUMA[:3], "puma_3"),
-    "stanford": (STANFORD_DH, STANFORD, "stanford_6"),
-    "stanford_3dof": (STANFORD_DH, STANFORD[:3], "stanford_3"),
-    "puma560_d2": (PUMA_DH, PUMA_D2, "puma_6"),
-    "puma560_3dof_d3": (PUMA_DH, PUMA_D2[:3], "puma_3"),
-    "stanford_d3": (STANFORD_DH, STANFORD_D3, "stanford_6"),
-    "stanford_3dof_d3": (STANFORD_DH, STANFORD_3_D3, "stanford_3"),
-    "puma560_3dof_d11": (PUMA_DH, PUMA_3_D11, None),
-    "puma560_3dof_d13": (PUMA_3_D13_DH, PUMA_3_D13, None),
-    "puma560_3dof_d12": (PUMA_DH, PUMA_3_D12, None),
-    "puma560_3dof_d4": (PUMA_DH, PUMA_3_D4, None),
-}
 # The others are bundled as they were when others' figures were measured on them: no number that enters a
 # torque changes.
 AS_THEY_ARE = {
@@ -124,7 +57,7 @@ def _row(text: str) -> tuple[Fraction, ...]:
 
 
 def test_all_robots_are_there() -> None:
-    assert set(bundled_names()) == {*TRANSCRIPTS, *AS_THEY_ARE}
+    assert set(bundled_names()) == {*ROBOTS, *AS_THEY_ARE}
     assert (data_dir("robots") / "README.md").is_file()
 
 
@@ -135,17 +68,17 @@ def test_each_has_its_file_name_a_title_and_a_source(name: str) -> None:
     assert robot.title
     assert robot.source
     assert robot.parameters == ()
-    assert all(len(line) <= 110 for line in bundled_text(name).splitlines() if name in TRANSCRIPTS)
+    assert all(len(line) <= 110 for line in bundled_text(name).splitlines() if name in ROBOTS)
     if name in ("tx40", "panda"):  # a licence stays with what it is of
         assert "Apache-2.0" in robot.source
 
 
-def _check_link(link: Link, dh: tuple[int, str, str], row: tuple[str, str, str], prismatic: bool) -> None:
-    quarter, a, d = dh
-    body, moments, motor = row
+def _check_link(link: Link, dh: str, row: str, prismatic: bool) -> None:
+    quarter, a, d = dh.split()
+    body, moments, motor = row.split(" | ")
     joint, tensor = link.joint, link.inertia
     assert joint.kind == ("prismatic" if prismatic else "revolute")
-    assert (joint.alpha.quarter, joint.theta.quarter) == (quarter, 0)
+    assert (joint.alpha.quarter, joint.theta.quarter) == (int(quarter), 0)
     assert (joint.a, joint.d) == (Fraction(a), Fraction(d))
     assert (link.mass, *link.com) == _row(body)
     assert (tensor.xx, tensor.yy, tensor.zz) == _row(moments)
@@ -154,14 +87,15 @@ def _check_link(link: Link, dh: tuple[int, str, str], row: tuple[str, str, str],
     assert (joint.viscous, joint.coulomb) == exactly(0, 0)
 
 
-@pytest.mark.parametrize("name", TRANSCRIPTS)
+@pytest.mark.parametrize("name", ROBOTS)
 def test_the_thesis_robots_number_by_number(name: str) -> None:
-    (dh, rows, compared), robot = TRANSCRIPTS[name], _load(name)
+    robot, rows, compared = _load(name), ROBOTS[name]["links"], ROBOTS[name]["row"]
+    dh = TRANSCRIPTS["dh"][ROBOTS[name]["dh"]]
     assert robot.gravity == exactly(0, 0, Fraction(-98, 10))
     assert robot.compare == (Comparison("2.10", compared) if compared else None)
     assert robot.n == len(rows)
     for i, (link, row) in enumerate(zip(robot.links, rows, strict=True)):
-        _check_link(link, dh[i], row, prismatic=dh is STANFORD_DH and i == 2)
+        _check_link(link, dh[i], row, prismatic=ROBOTS[name]["dh"] == "stanford" and i == 2)
 
 
 def test_the_pseudo_inertias_of_d_1_1() -> None:

@@ -219,18 +219,6 @@ def test_names_stand_where_they_may() -> None:
     assert robot.links[1].com[1] == Affine(Fraction(1, 2), (("x", Fraction(-2)),))
 
 
-def test_a_link_may_have_inertia_without_mass_and_nothing_at_all() -> None:
-    warnings: list[str] = []
-    robot = read_text(
-        "name: arm\nlinks:\n  - {joint: revolute}\n"
-        "  - {joint: revolute, mass: 0, inertia: {xx: 1, yy: 1, zz: 1}}\n",
-        warn=warnings.append,
-        strict=True,
-    )
-    assert robot.links[1].inertia.xx == 1
-    assert warnings == []
-
-
 @pytest.mark.parametrize(
     ("link", "doubt"),
     [

@@ -14,8 +14,7 @@ import yaml
 
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
-from robodyn.robot import DoubtfulRobot, Inertia, Robot, json_schema, read_text, to_yaml
-from robodyn.robot.folding import folded
+from robodyn.robot import DoubtfulRobot, Inertia, json_schema, read_text, to_yaml
 from robodyn.robot.keys import EFFECTS
 from robodyn.robot.model import EffectEntry
 from robodyn.robot.values import ZERO, parameter
@@ -289,28 +288,3 @@ def test_base_tilt_turns_gravity_about_x_and_then_about_y() -> None:
 def test_right_angles_of_tilt_are_exact(tilt: str, gravity: tuple[Fraction, ...]) -> None:
     robot = arm_of("", f"{{effect: base_tilt, {tilt}}}", head="gravity: [1, -2, -9.5]\n")
     assert robot.gravity == gravity
-
-
-def test_entries_of_a_robot_made_elsewhere_fold_as_in_reading() -> None:
-    """What `diagnose` finds is such a robot."""
-    entries = "{effect: rotor_inertia, inertia: 1}, {effect: inertial_error, delta_mass: 1}"
-    friction = "{effect: viscous_friction, coefficient: 2}, {effect: coulomb_friction, level: 3}"
-    read = arm_of(
-        f"{entries}, {friction}, {{effect: spring, stiffness: 1}}", "{effect: base_tilt, tilt_x: 1}"
-    )
-    zero = dict.fromkeys(CATALOGUE["inertial_error"].names, ZERO)
-    plain = arm_of("{effect: spring, stiffness: 1}")
-    made = Robot(
-        plain.name,
-        plain.links,
-        effects=(
-            EffectEntry("rotor_inertia", 1, (("inertia", F(1)),)),
-            EffectEntry("inertial_error", 1, tuple((zero | {"delta_mass": F(1)}).items())),
-            EffectEntry("viscous_friction", 1, (("coefficient", F(2)),)),
-            EffectEntry("coulomb_friction", 1, (("level", F(3)),)),
-            *plain.effects,
-            EffectEntry("base_tilt", None, (("tilt_x", F(1)), ("tilt_y", ZERO))),
-        ),
-    )
-    assert folded(made) == read
-    assert folded(read) == read

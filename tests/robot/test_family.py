@@ -8,7 +8,6 @@ from typing import Any
 import pytest
 from benchmarks.peers.family import family_text
 
-from robodyn import InputError
 from robodyn.counts import count
 from robodyn.kernels.generate import Options, program
 from robodyn.robot import Robot, read_text
@@ -18,17 +17,6 @@ FAST = Options(("inverse_dynamics",), optimize="fast")
 
 def family(joints: int) -> Robot:
     return read_text(family_text(joints), warn=lambda _: None)
-
-
-def test_longer_arms_begin_with_the_shorter_ones() -> None:
-    assert family(9).links[:4] == family(4).links
-    assert family(7).name == "serial7"
-
-
-@pytest.mark.parametrize("joints", [0, -1, 201])
-def test_refused(joints: int) -> None:
-    with pytest.raises(InputError):
-        family_text(joints)
 
 
 def test_operations_grow_by_the_same_with_every_joint() -> None:

@@ -16,6 +16,7 @@ from dynamics.direct import exact_arm, values_of, with_named_numbers
 from robodyn.errors import InputError
 from robodyn.robot import Robot, load, read_text, to_yaml
 from robodyn.robot.filling import parameter_values
+from robodyn_testing import sampled
 from robodyn_testing.random_effects import with_random_effects
 from robodyn_testing.random_robots import random_robot
 
@@ -64,7 +65,7 @@ def test_names_that_are_keys_of_the_description() -> None:
     ]
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", range(6))
 def test_every_number_comes_back(seed: int) -> None:
     robot = exact_arm(seed)
     named = with_named_numbers(robot)
@@ -72,7 +73,7 @@ def test_every_number_comes_back(seed: int) -> None:
     assert named.at({leaf.array: value for leaf, value in values_of(named, robot).items()}) == robot
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", sampled(range(30), every=5))
 def test_effects_are_filled_as_the_reader_reads_them(seed: int) -> None:
     """Against the reader, on texts in which the names (``e1_stiffness`` and so on) are no other word."""
     named = with_random_effects(random_robot(seed), seed, share=0.4, names=0.5)
