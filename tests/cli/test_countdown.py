@@ -83,7 +83,10 @@ def test_every_stage_is_known_and_comes_in_its_order(arm: tuple[Robot, Log]) -> 
         assert all(seconds > 0 for seconds in known.values())
 
 
-@pytest.mark.parametrize("command", ["identify", pytest.param("diagnose", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "command",
+    [pytest.param("identify", marks=pytest.mark.thorough), pytest.param("diagnose", marks=pytest.mark.slow)],
+)
 def test_a_terminal_is_told_how_long_it_takes_and_a_pipe_is_not(
     command: str, arm: tuple[Robot, Log], elsewhere: Path
 ) -> None:

@@ -10,15 +10,14 @@ from cli.command import Capture, run, run_json
 from robodyn.dynamics.functions import by_default
 from robodyn.kernels.generate import generate
 from robodyn.optimize.programs import FORMULATIONS
-from robodyn.robot import bundled_names, load
-from robodyn_testing import representative
+from robodyn.robot import load
 
 KEYS = {
     "robot", "function", "formulation", "mul", "add", "div", "sqrt", "neg", "sincos", "total", "thesis",
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("robot", representative(bundled_names(), "puma560_3dof_d3", "rx90", rest="slow"))
+@pytest.mark.parametrize("robot", ["puma560_3dof_d3", "rx90"])
 def test_the_counts_are_those_of_what_gen_writes(robot: str, capsys: Capture) -> None:
     made = generate(load(robot, warn=lambda _: None))
     found = run_json(capsys, f"flops {robot} --functions {','.join(made.counts)}")

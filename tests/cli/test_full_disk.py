@@ -6,7 +6,6 @@ import errno
 import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -17,7 +16,7 @@ from fleet.small_fleet import NAME, write_log
 from robodyn import outputs
 from robodyn.errors import InputError, OutputError
 from robodyn.files import cannot_write
-from robodyn_testing import representative, require_machine, require_module, require_tool
+from robodyn_testing import representative, require_module
 
 FULL = ("ENOSPC", "EDQUOT", "EFBIG", "EIO")
 WRONG = ("EACCES", "EPERM", "EROFS", "ENOTDIR", "EISDIR", "ENAMETOOLONG", "ELOOP", "ENOENT")
@@ -105,7 +104,9 @@ def test_a_limit_of_the_system(here: Path) -> None:
     assert limited("gen stanford_3dof -o out", 1 << 20).returncode == 0
 
 
-@pytest.mark.parametrize("size", [3_000, pytest.param(30_000, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize(
+    "size", [pytest.param(3_000, marks=pytest.mark.thorough), pytest.param(30_000, marks=pytest.mark.slow)]
+)
 def test_a_fleet_goes_on_when_there_is_room_again(size: int, here: Path) -> None:
     """Where there is no room for results, and where there is none for pages."""
     require_module("resource")
@@ -124,24 +125,6 @@ def test_a_fleet_goes_on_when_there_is_room_again(size: int, here: Path) -> None
     done = limited(command, 1 << 24)
     assert done.returncode == 0, done.stderr
     assert (here / "out" / "index.html").is_file()
-
-
-def test_a_disk_that_is_small(here: Path, capsys: Capture) -> None:
-    root = sys.platform.startswith("linux") and os.geteuid() == 0
-    require_machine(root, "root under Linux, for a disk of 64 KiB")
-    disk = here / "disk"
-    disk.mkdir()
-    mount, umount = require_tool("mount"), require_tool("umount")
-    mounted = subprocess.run([mount, "-t", "tmpfs", "-o", "size=64k", "none", str(disk)], check=False)
-    require_machine(mounted.returncode == 0, "the right to mount a disk")
-    try:
-        (disk / "rest").write_bytes(bytes(60_000))
-        assert "No space left on device" in run(capsys, "gen stanford_3dof -o disk/out", code=74)[1]
-        assert [path.name for path in disk.iterdir()] == ["rest"]
-        (disk / "rest").unlink()
-        run(capsys, "new arm -o disk/arm.yaml")
-    finally:
-        subprocess.run([umount, str(disk)], check=True)
 
 
 def test_a_place_that_is_wrong_is_bad_input(capsys: Capture) -> None:

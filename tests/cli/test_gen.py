@@ -38,17 +38,6 @@ def test_files_go_to_generated_under_the_working_folder(elsewhere: Path, capsys:
     assert " ".join(out.split()).startswith(f"puma560: wrote {names} ")
 
 
-def test_languages(elsewhere: Path, capsys: Capture) -> None:
-    for languages, names in (
-        ("c", {"tool.h", "tool.c"}),
-        ("fortran", {"tool.f90"}),
-        (" fortran , c ", {"tool.h", "tool.c", "tool.f90"}),
-    ):
-        (elsewhere / "tool.yaml").write_text(TOOL)
-        run(capsys, "gen tool.yaml -o", f"out {languages}", "--lang", languages)
-        assert {path.name for path in (elsewhere / f"out {languages}").iterdir()} == names
-
-
 @pytest.mark.parametrize(
     ("arguments", "options"),
     [
@@ -111,13 +100,6 @@ def test_check_notices_a_difference_and_writes_nothing(elsewhere: Path, capsys: 
         _, err = run(capsys, f"{GEN} --check", code=1)
         assert err.startswith("robodyn: error: out/stanford_3dof.f90: not up to date")
         assert [(one, one.stat().st_mtime_ns) for one in sorted(path.parent.iterdir())] == before
-
-
-def test_check_compares_what_is_asked_for(capsys: Capture) -> None:
-    run(capsys, f"{GEN} --scalar float --functions gravity")
-    run(capsys, f"{GEN} --scalar float --functions gravity --check")
-    run(capsys, f"{GEN} --functions gravity --check", code=1)
-    run(capsys, f"{GEN} --scalar float --check", code=1)
 
 
 def test_all_functions_are_those_that_the_robot_has(elsewhere: Path, capsys: Capture) -> None:

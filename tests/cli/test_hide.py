@@ -39,55 +39,18 @@ def folder(elsewhere: Path) -> Path:
     return elsewhere
 
 
-def test_hide_open_and_score(capsys: Capture) -> None:
-    out, err = run(capsys, f"hide pendulum.yaml --effect viscous_friction@1:coefficient=pi/4 {SHORT} -o d")
-    assert out.splitlines() == [
-        "pendulum: 1 effect is hidden in d: given.yaml, train.csv, train.csv.json, validate.csv, "
-        "validate.csv.json, answer.sealed",
-        "robodyn diagnose d/given.yaml d/train.csv --validate d/validate.csv -o d/found",
-        "robodyn hide --score d d/found/diagnosis.json",
-    ]
+def test_hide_and_open(capsys: Capture) -> None:
+    """What the score of it says: golden/hide.txt."""
+    _, err = run(capsys, f"hide pendulum.yaml --effect viscous_friction@1:coefficient=pi/4 {SHORT} -o d")
     assert not err
     assert Path("d/given.yaml").read_text() == PENDULUM
     assert read_log("d/train.csv", 1).samples == 401
     answer = json.loads(run(capsys, "hide --open d/answer.sealed")[0])
     truth = {"effect": "viscous_friction", "joint": 1, "parameters": {"coefficient": 0.785398}}
     assert answer["effects"] == [truth]
-
-    told = {"value": 0.79, "stderr": 0.004, "unit": "N m s/rad"}
-    finding = {
-        "effect": "viscous_friction", "joint": 1, "parameters": {"coefficient": told}, "confidence": 0.9,
-        "confounded_with": [],
-    }  # fmt: skip
-    Path("right.json").write_text(json.dumps({"verdict": "missing_effect", "findings": [finding]}))
-    assert run(capsys, "hide --score d right.json")[0].splitlines() == [
-        "viscous_friction at joint 1: right",
-        "  coefficient: 0.79 +- 0.004 N m s/rad, true value 0.7854",
-        "overall: right",
-    ]
-    Path("wrong.json").write_text(
-        json.dumps({"verdict": "missing_effect", "findings": [{**finding, "effect": "spring"}]})
-    )
-    assert run(capsys, "hide --score d wrong.json", code=1)[0].splitlines() == [
-        "spring at joint 1: wrong",
-        "1 of 1 hidden missed (robodyn hide --open d/answer.sealed shows them)",
-        "overall: wrong",
-    ]
-    other = {"verdict": "consistent", "findings": [], "logs": [{"sha256": "0" * 64}]}
-    Path("other.json").write_text(json.dumps(other))
-    out, err = run(capsys, "hide --score d other.json", code=1)
-    assert "other logs" in err
-    assert "viscous" not in out
-    # Folders are taken for the files in them.
     assert json.loads(run(capsys, "hide --open d")[0]) == answer
-    Path("found").mkdir()
-    Path("wrong.json").rename("found/diagnosis.json")
-    scores = [
-        run_json(capsys, f"hide --score {test} {diagnosis}", code=1)
-        for test, diagnosis in itertools.product(("d", "d/answer.sealed"), ("found", "found/diagnosis.json"))
-    ]
-    assert scores[1:] == scores[:-1]
-    assert "swap the two arguments" in run(capsys, "hide --score found/diagnosis.json d", code=2)[1]
+    Path("other.json").write_text(json.dumps({"verdict": "consistent", "findings": []}))
+    assert "viscous" not in run(capsys, "hide --score d other.json", code=1)[0]
 
 
 def test_hide_draws_one_by_default_and_says_nothing_of_it(capsys: Capture) -> None:
@@ -95,12 +58,6 @@ def test_hide_draws_one_by_default_and_says_nothing_of_it(capsys: Capture) -> No
     assert json.loads(out)["hidden"] == 1
     (one,) = json.loads(run(capsys, "hide --open d/answer.sealed")[0])["effects"]
     assert one["effect"] not in out + err
-    assert run(capsys, f"hide pendulum.yaml --random 0 {SHORT} -o e")[0].startswith(
-        "pendulum: nothing is hidden in e"
-    )
-    Path("clean.json").write_text(json.dumps({"verdict": "consistent", "findings": []}))
-    out, _ = run(capsys, "hide --score e clean.json")
-    assert out == "right: nothing was hidden, and nothing is claimed\n"
     _, err = run(capsys, f"hide pendulum.yaml --effect coulomb_friction@1:level=1e-3 {SHORT} -o f")
     assert "times the noise" in err  # nobody can find it
 

@@ -48,6 +48,7 @@ def test_a_model_and_its_numbers_are_written(capsys: Capture) -> None:
     assert load("out/identified.yaml", strict=True).n == 3
 
 
+@pytest.mark.thorough
 def test_the_same_input_gives_the_same_files(capsys: Capture) -> None:
     for folder in ("one", "two"):
         assert main(["identify", "arm.yaml", "b.csv", "-o", folder, "--json"]) == 0

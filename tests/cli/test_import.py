@@ -124,7 +124,10 @@ QUICK = "--states 20 --optimize fast"
 
 
 @pytest.mark.usefixtures("originals")
-@pytest.mark.parametrize(("file", "library"), [("arm.xml", "MuJoCo"), ("arm.urdf", "Pinocchio")])
+@pytest.mark.parametrize(
+    ("file", "library"),
+    [("arm.xml", "MuJoCo"), pytest.param("arm.urdf", "Pinocchio", marks=pytest.mark.thorough)],
+)
 def test_an_imported_arm_is_its_file(file: str, library: str, capsys: Capture) -> None:
     report = run_json(capsys, f"verify {Path(file).suffix[1:]}.yaml --against {file} {QUICK}")
     rows = [row for row in report["comparisons"] if row["against"].startswith(library)]

@@ -171,18 +171,11 @@ def test_closed_pipe_is_quiet() -> None:
         [
             ("schema >/dev/full", 74),
             ("gen stanford_3dof -o out >/dev/full", 74),
-            ("--help >/dev/full", 74),
-            ("robots >/dev/full 2>/dev/full", 74),
             ("new 'no good' --json >/dev/full", 2),
             ("robots 2>/dev/full", 0),
-            ("gen nosuch 2>/dev/full", 2),
             ("robots --nonsense 2>/dev/full", 2),
-            ("new arm 2>/dev/full", 0),
-            ("robots >&-", 0),
-            ("schema >&- 2>&-", 0),
             ("--version <&- >&- 2>&-", 0),
             ("gen stanford_3dof -o out >&- 2>&-", 0),
-            ("verify stanford_3dof --seed -1 >&- 2>&-", 2),
             ("gen nosuch 2>&-", 2),
         ],
         "schema >/dev/full", "new 'no good' --json >/dev/full", "robots 2>/dev/full",
@@ -232,7 +225,7 @@ def test_help_of_every_command(capsys: Capture) -> None:
 # --- small commands ---------------------------------------------------------------------------------------
 
 
-def test_robots_as_names_table_and_json_agree(capsys: Capture) -> None:
+def test_robots_as_names_and_json_agree(capsys: Capture) -> None:
     robots = run_json(capsys, "robots")
     names = [robot["name"] for robot in robots]
     everything = run_json(capsys, "robots --names")  # older names, too
@@ -241,11 +234,6 @@ def test_robots_as_names_table_and_json_agree(capsys: Capture) -> None:
     assert len(set(everything)) == len(everything)
     assert {robot["name"]: robot["joints"] for robot in robots}["stanford"] == "RRPRRR"
     assert all(robot["title"] for robot in robots)
-    table = re.sub(r"\n {9,}", " ", run(capsys, "robots")[0])  # long titles are broken
-    words = ("name", "joints", "origin", "title")
-    assert [line.split() for line in table.splitlines()] == [
-        " ".join(map(robot.get, words)).split() for robot in robots
-    ]
     origins = [robot["origin"] for robot in robots]
     assert origins.count("synthetic") == 4
     assert origins[-4:] == ["synthetic"] * 4, "arms of products come first"

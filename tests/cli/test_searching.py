@@ -21,7 +21,6 @@ from robodyn.optimize.records import FOLDER, bundled_records, parse_record
 from robodyn.search.improve import write_record
 from robodyn.search.walk import library
 from robodyn_cli import progress
-from robodyn_testing import representative
 from robodyn_testing.clocks import ticking
 from robodyn_testing.waiting import eventually
 from search.arms import search_for_a_moment
@@ -112,7 +111,8 @@ def test_where_records_are_looked_for(
 
 
 @pytest.mark.usefixtures("moment")
-@pytest.mark.parametrize("level", ["search", pytest.param("full", marks=pytest.mark.thorough)])
+@pytest.mark.thorough
+@pytest.mark.parametrize("level", ["search", "full"])
 def test_a_short_search(level: str, here: Path, capsys: Capture) -> None:
     options = f"--optimize {level} --budget-seconds 0.5"
     _, err = run(capsys, f"gen elbow.yaml -o out {options}")
@@ -160,9 +160,9 @@ def test_keep_where_it_cannot(here: Path, capsys: Capture, monkeypatch: pytest.M
     assert files(here) == {"elbow.yaml"}
 
 
-@pytest.mark.parametrize("objective", representative(["depth", "weighted:cortex-m4f"], "depth", rest="slow"))
 @pytest.mark.thorough
-def test_objectives(objective: str, here: Path, capsys: Capture) -> None:
+def test_objectives(here: Path, capsys: Capture) -> None:
+    objective = "depth"
     total(capsys, f"--optimize search --budget-seconds 0.1 --objective {objective} --keep")
     (path,) = (here / FOLDER).iterdir()
     assert f"\nobjective {objective}\n" in path.read_text()
@@ -172,12 +172,9 @@ def test_objectives(objective: str, here: Path, capsys: Capture) -> None:
     assert total(capsys) == FAST
 
 
-@pytest.mark.parametrize(
-    "function", representative(["forward_dynamics", "gravity", "mass_matrix"], "gravity")
-)
-def test_functions_that_have_no_writings(function: str, capsys: Capture) -> None:
-    found = total(capsys, f"--functions {function} --optimize search --budget-seconds 0.3")
-    assert found <= total(capsys, f"--functions {function} --optimize fast")
+def test_a_function_that_has_no_writings(capsys: Capture) -> None:
+    found = total(capsys, "--functions gravity --optimize search --budget-seconds 0.3")
+    assert found <= total(capsys, "--functions gravity --optimize fast")
 
 
 @pytest.mark.thorough
