@@ -12,7 +12,6 @@ from benchmarks.kinematics import PAGE, SHOWN, functions_table, ours
 
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.robot import bundled_names
-from robodyn_testing import representative
 
 TEXT = PAGE.read_text(encoding="utf-8")
 
@@ -30,14 +29,21 @@ def test_every_function_stands_there_as_it_is() -> None:
     assert {row[0]: row[1] for row in expected} == rows, "run python -m benchmarks.kinematics"
 
 
-@pytest.mark.parametrize("robot", representative(SHOWN, "puma560"))
+@pytest.mark.thorough
+@pytest.mark.parametrize("robot", SHOWN)
 def test_operations(robot: str) -> None:
     column = 2 + SHOWN.index(robot)
     shown = {row[0].partition("(")[0].strip("`"): row[column] for row in table("functions") if row[column]}
     assert shown == {name: f"{x:,}" for name, x in ours(robot, tuple(FUNCTIONS)).items()}
 
 
-@pytest.mark.parametrize(("mark", "of"), [("casadi", kinematics), ("casadi dynamics", dynamics)])
+@pytest.mark.parametrize(
+    ("mark", "of"),
+    [
+        ("casadi", kinematics),
+        pytest.param("casadi dynamics", dynamics, marks=pytest.mark.thorough),
+    ],
+)
 def test_casadis_figures_are_those_of_the_last_comparison(mark: str, of: ModuleType) -> None:
     results = json.loads(of.RESULTS.read_text(encoding="utf-8"))
     counted = json.loads(of.RESULTS.with_name("functions.json").read_text(encoding="utf-8"))["robots"]

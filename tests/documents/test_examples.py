@@ -28,9 +28,7 @@ LONG = {
     f"docs/{name}.md"
     for name in ("tour", "from-c-and-python", "fleet", "packages", "motions", "blind-tests", "thesis")
 }
-PAGES_IN_CI = representative(
-    [page for page in RUN if page not in LONG], "docs/operation-counts.md", "docs/kernels.md"
-)
+PAGES_IN_CI = representative([page for page in RUN if page not in LONG], "docs/kernels.md")
 
 
 @pytest.mark.parametrize(

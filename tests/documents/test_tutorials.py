@@ -11,8 +11,8 @@ from documents.blocks import ROOT, TUTORIALS, commands, read
 from robodyn_testing import require_tool
 from robodyn_testing.environments import clean_environment, pip_install, run
 
-#: Of the four tutorials these take seconds; ``make prove-all`` follows the others.
-QUICK = [page for page in TUTORIALS if "from-a-urdf" in page or "the-thesis" in page]
+#: Of the four tutorials this takes seconds; ``make prove-all`` follows the others.
+QUICK = [page for page in TUTORIALS if "from-a-urdf" in page]
 
 
 @pytest.fixture(scope="module")

@@ -20,7 +20,7 @@ from robodyn.draw.scales import DAY, date_ticks, day_text, decades, label, range
 from robodyn.logs.log import Log
 from robodyn.report.run import motion_picture
 from robodyn.robot import load
-from robodyn_testing import representative, require_module
+from robodyn_testing import require_module
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -135,10 +135,7 @@ def test_ticks_are_firsts_of_months_or_days(days: int, labels: list[str]) -> Non
     assert [label for _, label in date_ticks(MAY_3, MAY_3 + days * DAY, 6)] == labels
 
 
-@pytest.mark.parametrize(
-    "days",
-    representative([0.001, 0.9, 3, 31, 59, 90, 400, 3000, 30_000, 300_000, 2_900_000], 0.001, 3, 90, 3000),
-)
+@pytest.mark.parametrize("days", [0.001, 3, 90, 3000, pytest.param(2_900_000, marks=pytest.mark.thorough)])
 def test_ticks_are_few_and_within(days: float) -> None:
     for most in (2, 4, 8):
         at = [moment for moment, _ in date_ticks(MAY_3, MAY_3 + days * DAY, most)]
@@ -177,12 +174,9 @@ def test_every_page_and_picture_is_of_the_same_environment() -> None:
     assert said == "<b>&lt;i&gt;\ufffd\n</b>"
 
 
-@pytest.mark.parametrize(
-    "title", representative(["costs $5", "$\\frac{$", "$x$ and $", "\\$", "$"], "$\\frac{$")
-)
-def test_a_title_is_no_formula(title: str) -> None:
+def test_a_title_is_no_formula() -> None:
     require_module("matplotlib")
-    robot = replace(load("stanford_3dof"), title=title)
+    robot = replace(load("stanford_3dof"), title="costs $5 and $\\frac{$")
     zeros = np.zeros((3, 3))
     log = Log(np.arange(3.0), zeros, zeros, zeros, zeros)
     assert motion_picture(robot, log, "svg").startswith(b"<?xml")

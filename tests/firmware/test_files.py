@@ -11,12 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from firmware.folders import SCALARS, STRICT, STRICT_FORTRAN, folder, made, run, write
+from firmware.folders import STRICT, STRICT_FORTRAN, folder, made, run, write
 from robodyn.firmware import firmware, firmware_options, measure, targets_named
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import load
 from robodyn.targets import TARGETS
-from robodyn_testing import representative, require_tool
+from robodyn_testing import require_tool
 
 ALL = ("inverse_dynamics", "gravity", "bias", "mass_matrix", "forward_dynamics")
 _PRINT = """
@@ -48,14 +48,8 @@ def test_the_kernel_is_the_one_that_gen_writes() -> None:
     assert {name: files[name] for name in plain} == plain
 
 
-@pytest.mark.parametrize(
-    ("name", "functions", "scalar"),
-    representative(
-        [(*arm, scalar) for arm in (("puma560", ()), ("tool", ALL)) for scalar in SCALARS],
-        ("tool", ALL, "float"),
-        rest="slow",
-    ),
-)
+@pytest.mark.thorough
+@pytest.mark.parametrize(("name", "functions", "scalar"), [("puma560", (), "double"), ("tool", ALL, "float")])
 def test_compilers_are_content(name: str, functions: tuple[str, ...], scalar: str, tmp_path: Path) -> None:
     write(tmp_path, folder(name, scalar, functions).files)
     selftest = [f"{name}.c", f"{name}_selftest.c"]

@@ -14,7 +14,7 @@ from robodyn_testing import require_tool, sampled
 
 
 @pytest.mark.parametrize(
-    "name", sampled(["main", "Startup", "semihosting", "Makefile", "CMakeLists", "readme", "link"], every=3)
+    "name", sampled(["main", "Startup", "semihosting", "Makefile", "CMakeLists", "readme", "link"], every=7)
 )
 def test_every_file_is_there_with_what_belongs_into_it(name: str) -> None:
     plain, files = of_firmware(arm("zq")), of_firmware(arm(name))

@@ -40,7 +40,7 @@ def folder(scalar: str) -> Folder:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("scalar", ["float", "double"])
+@pytest.mark.parametrize("scalar", ["float", pytest.param("double", marks=pytest.mark.slow)])
 def test_all_processors_x86_and_fortran_give_the_same_bits(scalar: str, tmp_path: Path) -> None:
     files = folder(scalar).files
     write(tmp_path, files)

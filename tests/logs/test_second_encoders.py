@@ -47,11 +47,6 @@ def test_columns_of_some_joints_read_back(name: str, tmp_path: Path) -> None:
     assert read_log(tmp_path / name, 1).linked == (0,)
 
 
-def test_a_log_without_them_has_none(tmp_path: Path) -> None:
-    (tmp_path / "log.csv").write_text("t,q1,tau1\n0,1,2\n1,2,3\n", encoding="utf-8")
-    assert read_log(tmp_path / "log.csv").ql is None
-
-
 def test_they_may_stand_in_a_second_file(tmp_path: Path) -> None:
     log = log_with((1,))
     read = read_log(parts(log, tmp_path), 3)

@@ -63,7 +63,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], tuple[Con
     return of
 
 
-@pytest.mark.parametrize("robot", representative(ARMS, "puma560", "stanford", rest="slow"))
+@pytest.mark.parametrize("robot", representative(ARMS, "stanford", rest="slow"))
 def test_values_and_jacobians(robot: str, built: Callable[[str], tuple[Consumer, Path]]) -> None:
     user, file = built(robot)
     random = np.random.default_rng(0)

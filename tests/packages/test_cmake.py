@@ -12,7 +12,7 @@ from packages.consumers import MAINTAINER, Consumer, c_program, consumer, loaded
 from robodyn.kernels.generate import Options, generate
 from robodyn.packages import package
 from robodyn.robot import load
-from robodyn_testing import require_tool
+from robodyn_testing import representative, require_tool
 
 FUNCTIONS = ("inverse_dynamics", "mass_matrix", "jacobian")
 ROBOT = "stanford_3dof"
@@ -55,9 +55,7 @@ def installed(cmake: str, user: Consumer, folder: Path, *options: str) -> Path:
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(
-    ("language", "suffix", "shared"), [("C", "c", "OFF"), ("CXX", "cpp", "OFF"), ("C", "c", "ON")]
-)
+@pytest.mark.parametrize(("language", "suffix", "shared"), [("CXX", "cpp", "OFF"), ("C", "c", "ON")])
 def test_a_project_finds_it(
     language: str, suffix: str, shared: str, cmake: str, user: Consumer, tmp_path: Path
 ) -> None:
@@ -87,7 +85,7 @@ def test_another_version_is_not_found(cmake: str, user: Consumer, tmp_path: Path
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("shared", ["OFF", "ON"])
+@pytest.mark.parametrize("shared", ["OFF", pytest.param("ON", marks=pytest.mark.slow)])
 def test_pkg_config_finds_it(shared: str, cmake: str, user: Consumer, tmp_path: Path) -> None:
     pkg_config = require_tool("pkg-config")
     prefix = installed(cmake, user, tmp_path, f"-DBUILD_SHARED_LIBS={shared}")
@@ -105,7 +103,7 @@ def test_pkg_config_finds_it(shared: str, cmake: str, user: Consumer, tmp_path: 
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", ["test", "all", "m"])
+@pytest.mark.parametrize("name", representative(("test", "all", "m"), "test", rest="slow"))
 def test_a_part_of_a_larger_build_whatever_the_robot_is_called(name: str, cmake: str, tmp_path: Path) -> None:
     """In float, with sines of its own and run-time parameters; names of targets that CMake has itself."""
     options = Options(scalar="float", trig="builtin")

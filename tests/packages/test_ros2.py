@@ -48,46 +48,11 @@ endif()
     # Folders of headers, as the interface exports them on Humble and Jazzy.
     "inverse_dynamics_solver": 'set(inverse_dynamics_solver_INCLUDE_DIRS "{include}")\n',
 }
-PROJECT = """\
-cmake_minimum_required(VERSION 3.16)
-project(consumer LANGUAGES CXX)
-find_package(pluginlib REQUIRED)
-find_package(Eigen3 REQUIRED)
-add_executable(consumer "{source}")
-set_target_properties(consumer PROPERTIES CXX_STANDARD 17)
-target_include_directories(consumer PRIVATE "{include}")
-target_link_libraries(consumer PRIVATE pluginlib::pluginlib Eigen3::Eigen)
-"""
+PROJECT = (STUBS / "node.cmake").read_text(encoding="utf-8")
 #: A controller that calls the kernel itself.
-DIRECT = """\
-cmake_minimum_required(VERSION 3.16)
-project(direct LANGUAGES CXX)
-find_package({package} REQUIRED)
-add_executable(direct main.cpp)
-target_link_libraries(direct PRIVATE {package}::{package})
-"""
-ARM = """\
-name: Lift_arm
-gravity: [0, 0, -9.8]
-links:
-- {name: "turn \\"1\\" \\\\", joint: revolute, alpha: 0.3, mass: 3, com: [1, 0, 0.5],
-   friction: {viscous: 2, coulomb: 1}}
-- {name: lift, joint: prismatic, alpha: 1, mass: m_tool, com: [0.1, 0, 0.2], motor_inertia: 1}
-"""
-URDF = """\
-<robot name="lift">
-  <link name="world"/><link name="base"/><link name="boom"/><link name="slide"/><link name="hand"/>
-  <joint name="foot" type="fixed"><parent link="world"/><child link="base"/></joint>
-  <joint name="{names[0]}" type="{kinds[0]}"><parent link="base"/><child link="boom"/><axis xyz="0 0 1"/>
-    <origin xyz="0 0 0" rpy="0.3 0 0"/>
-    <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
-  <joint name="{names[1]}" type="{kinds[1]}"><parent link="boom"/><child link="slide"/><axis xyz="0 0 1"/>
-    <origin xyz="0 0 0" rpy="1 0 0"/>
-    <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
-  <joint name="{names[2]}" type="{kinds[2]}"><parent link="slide"/><child link="hand"/><axis xyz="0 0 1"/>
-    <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
-</robot>
-"""
+DIRECT = (STUBS / "direct.cmake").read_text(encoding="utf-8")
+ARM = (STUBS / "lift.yaml").read_text(encoding="utf-8")
+URDF = (STUBS / "lift.urdf").read_text(encoding="utf-8")
 NAMES = ("shoulder", "column", "wrist")
 KINDS = ("continuous", "prismatic", "fixed")
 

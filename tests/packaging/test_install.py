@@ -11,6 +11,7 @@ import pytest
 
 from robodyn_testing.environments import clean_environment, pip_install, run
 
+pytestmark = pytest.mark.thorough
 ROOT = Path(__file__).parents[2]
 DATA = {
     f"robodyn/_data/{path.relative_to(ROOT).as_posix()}"
@@ -67,7 +68,6 @@ def test_wheel_holds_code_and_data(built: Path) -> None:
     assert not [name for name in names if "__pycache__" in name]
 
 
-@pytest.mark.thorough
 def test_sdist_builds_the_same_wheel(built: Path, tmp_path: Path) -> None:
     run(sys.executable, "-m", "build", "--no-isolation", "--wheel", "--outdir", tmp_path, ROOT, cwd=tmp_path)
     assert wheel_of(tmp_path).read_bytes() == wheel_of(built).read_bytes()
@@ -80,14 +80,12 @@ def test_sdist_holds_what_the_tests_need(built: Path) -> None:
     assert {"pyproject.toml", "README.md", "LICENSE", "NOTICE", "Makefile", "tests/conftest.py"} <= names
 
 
-@pytest.mark.thorough
 def test_wheel_installs_and_works(built: Path, environment: Path, tmp_path: Path) -> None:
     pip_install(environment, f"{wheel_of(built)}[all]")
     package = use(environment, tmp_path / "elsewhere")
     assert package.is_relative_to(environment)
 
 
-@pytest.mark.thorough
 def test_editable_installs_and_works(environment: Path, tmp_path: Path) -> None:
     pip_install(
         environment, "--editable", ROOT

@@ -5,16 +5,19 @@ from __future__ import annotations
 import json
 import tomllib
 from pathlib import Path
+from typing import Any
 
 import click
 import pytest
+from click.testing import CliRunner
 
 from robodyn.errors import InputError
 from robodyn.project.keys import Key
 from robodyn.project.reading import OWN, OWN_OF_PACKAGE, read_project
 from robodyn_cli.file_options import with_common_options
 from robodyn_cli.gen import command as gen
-from robodyn_cli.main import main
+from robodyn_cli.main import cli
+from robodyn_cli.output import Document
 from robodyn_cli.package import command as package
 from robodyn_cli.project_keys import check_settings, project_keys
 from robodyn_testing import require_module
@@ -40,6 +43,16 @@ def test_every_option_that_says_what_is_written_is_a_key(
     assert "gravity" in keys["functions"].help()
     listed = {name for name, key in keys.items() if key.several or key.listed}
     assert listed == {"lang", "functions", "fuse", "without"} & set(keys)
+
+
+@pytest.fixture(scope="module")
+def validator() -> Any:
+    """Of what ``robodyn schema --project`` prints."""
+    jsonschema = require_module("jsonschema")
+    printed = CliRunner().invoke(cli, ["schema", "--project"], obj=Document()).stdout
+    schema = json.loads(printed)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
 
 
 @pytest.mark.parametrize(
@@ -75,14 +88,8 @@ def test_every_option_that_says_what_is_written_is_a_key(
         ("[options]\npackages = ['cmake']\n[robots.ur5]", False),
     ],
 )
-def test_they_accept_and_refuse_the_same(
-    text: str, good: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    jsonschema = require_module("jsonschema")
-    assert main(["schema", "--project"]) == 0
-    schema = json.loads(capsys.readouterr().out)
-    jsonschema.Draft202012Validator.check_schema(schema)
-    assert jsonschema.Draft202012Validator(schema).is_valid(tomllib.loads(text)) == good
+def test_they_accept_and_refuse_the_same(text: str, good: bool, validator: Any, tmp_path: Path) -> None:
+    assert validator.is_valid(tomllib.loads(text)) == good
     path = tmp_path / "robodyn.toml"
     path.write_text(text)
     try:
@@ -92,7 +99,3 @@ def test_they_accept_and_refuse_the_same(
         assert not good
     else:
         assert good
-
-
-def test_robodyns_own_project_is_one() -> None:
-    assert len(read_project(ROOT / "robodyn.toml", KEYS).entries) > 10

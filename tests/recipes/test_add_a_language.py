@@ -11,7 +11,6 @@ import pytest
 
 import robodyn
 from recipes.copies import Copy, commands_in_recipe, source_in_recipe
-from robodyn_testing import sampled
 
 TITLE = "Add a language"
 FILES = ("codegen/robodyn/emit/languages/python.py", "templates/python/kernel.py.j2")
@@ -32,16 +31,14 @@ def test_help_and_errors_know_the_language(copy: Copy) -> None:
 
 @pytest.mark.parametrize(
     ("options", "message"),
-    sampled(
-        [
-            (["--batch"], "batches are in C only"),
-            (["--scalar", "float"], "Python is not written with --scalar float; expected --scalar double"),
-            (["--trig", "builtin"], "Python is not written with --trig builtin"),
-            (["--firmware"], "a firmware folder is not written in Python"),
-            (["--compile"], "Python is written, and cannot be called from Python"),
-        ],
-        every=3,
-    ),
+    [
+        (["--scalar", "float"], "Python is not written with --scalar float; expected --scalar double"),
+        pytest.param(
+            ["--compile"],
+            "Python is written, and cannot be called from Python",
+            marks=pytest.mark.thorough,
+        ),
+    ],
 )
 def test_what_the_language_lacks_is_refused(copy: Copy, options: list[str], message: str) -> None:
     assert message in copy.robodyn("gen", "puma560", "--lang", "py", *options, code=2)
@@ -65,7 +62,7 @@ links:
 """
 
 
-@pytest.mark.parametrize("name", ["puma560", "tool"])
+@pytest.mark.parametrize("name", [pytest.param("puma560", marks=pytest.mark.thorough), "tool"])
 def test_the_module_gives_the_right_torques(copy: Copy, name: str) -> None:
     """Every function, run-time parameters too, to the bits of the C: math's sines are those of libm."""
     (copy.work / "tool.yaml").write_text(TOOL)

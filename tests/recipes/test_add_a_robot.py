@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-
 import numpy as np
 import pytest
 
@@ -27,8 +25,7 @@ def test_every_command_of_the_recipe_works(copy: Copy) -> None:
 
 
 def test_the_numbers_are_right(copy: Copy) -> None:
-    """Against the independent references, and one torque by hand: what the stroke carries."""
-    assert json.loads(copy.robodyn("verify", "scara", "--json"))["passed"] is True
+    """One torque by hand: what the stroke carries. The recipe itself verifies the rest."""
     arm = robodyn.load(str(copy.folder / FILE)).at({"m_load": 0.5})
     torques = robodyn.compile(arm, functions=["gravity"]).gravity([0.3, -0.4, 0.1, 0.2])
     np.testing.assert_allclose(torques, [0, 0, -(1.1 + 0.4 + 0.5) * 9.81, 0], atol=1e-12)

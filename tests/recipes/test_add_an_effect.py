@@ -92,6 +92,7 @@ def test_emitted_and_verified(copy: Copy) -> None:
         definition.write_text(source)
 
 
+@pytest.mark.thorough
 def test_a_dry_one_sticks_and_loses_what_its_like_does(copy: Copy) -> None:
     said = copy.python(
         "-c",

@@ -187,11 +187,6 @@ def test_highlighted_c_is_the_c() -> None:
     assert '<i class="c">/* &lt;b&gt; &amp; */</i>' in marked
 
 
-def test_the_same_page_from_the_same_arm(stanford: Arm) -> None:
-    again = arm_of(load("stanford_3dof", warn=lambda _: None))
-    assert page([stanford]) == page([again])
-
-
 # --- equations --------------------------------------------------------------------------------------------
 
 

@@ -52,7 +52,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> arms.Pages:
     return written
 
 
-@pytest.mark.parametrize("name", [*dict.fromkeys((*PAGES, *arms.NAMES))])
+@pytest.mark.parametrize("name", representative(dict.fromkeys((*PAGES, *arms.NAMES)), *PAGES, rest="slow"))
 def test_it_asks_for_nothing_and_nothing_goes_wrong(browser: Browser, files: arms.Pages, name: str) -> None:
     """Nor is it large."""
     visit = browser.open(files[name])

@@ -23,12 +23,12 @@ from robodyn.formats.tree import PHYSICS
 from robodyn.robot import read_text
 from robodyn.targets import TARGETS
 from robodyn_cli.main import COMMANDS, cli
-from robodyn_site import navigation, outside, python
+from robodyn_site import navigation, python
 from robodyn_site.curves import entry, picture, usual_values
 from robodyn_site.docstrings import markdown
 from robodyn_site.equations import typeset
 from robodyn_site.markdown import plain
-from robodyn_site.pages import REPLACED, pages
+from robodyn_site.pages import pages
 
 LINK = "  - {joint: revolute, mass: 1, inertia: {xx: 1, yy: 1, zz: 1}, motor_inertia: 0.1}\n"
 LAST = "  - joint: revolute\n    mass: 1\n    inertia: {xx: 1, yy: 1, zz: 1}\n    motor_inertia: 0.1\n"
@@ -116,13 +116,6 @@ def test_docstrings_are_markdown(docstring: str, expected: str) -> None:
     assert markdown(docstring) == expected
 
 
-def test_the_list_of_functions_leads_to_their_pages() -> None:
-    link = re.compile(r"^\| \[`(\w+)\([^`]*\)`\]\(functions/(\w+)\.md\)", flags=re.MULTILINE)
-    links = link.findall(pages()["functions.md"])
-    assert {name for name, _ in links} == set(FUNCTIONS)
-    assert all(name == target for name, target in links)
-
-
 def test_nothing_in_plain_text_is_markup() -> None:
     assert re.fullmatch(r"[\w &;#]*", plain("a*b_c[d]{e}<f>|g$h`i\\j~k^l"))
 
@@ -165,10 +158,6 @@ def test_every_page_is_in_the_navigation_once() -> None:
     assert sorted(navigation.named(navigation.expanded(NAV, there))) == sorted(there)
 
 
-def test_no_page_is_made_that_is_written() -> None:
-    assert set(navigation.documents()) & pages().keys() == REPLACED
-
-
 @pytest.mark.parametrize(
     ("folder", "names"),
     [
@@ -184,41 +173,6 @@ def test_each_has_a_page_that_says_what_it_is(folder: str, names: Iterable[str])
         title, _, text = pages()[f"{folder}/{name}.md"].partition("\n\n")
         assert title.startswith("# ")
         assert re.match(r"[^|#\s-].{20}", text), text[:80]
-
-
-@pytest.mark.parametrize(
-    ("nav", "expected"),
-    [
-        (["a.md", {"B": ["b/"]}], ["a.md", {"B": ["b/index.md", "b/y.md", "b/x.md"]}]),
-        ([{"B": ["b/x.md", "b/"]}], [{"B": ["b/x.md", "b/index.md", "b/y.md"]}]),
-        (["a.md", {"C": ["c/"]}, {"D": [{"E": ["c/"]}]}], ["a.md"]),
-    ],
-)
-def test_folders_stand_for_their_pages(nav: Any, expected: Any) -> None:
-    assert navigation.expanded(nav, ["a.md", "b/y.md", "b/x.md", "b/index.md"]) == expected
-
-
-@pytest.mark.parametrize(
-    ("page", "text", "expected"),
-    [
-        ("real-arms.md", "![x](../benchmarks/results/gap.svg)", "![x](benchmarks/gap.svg)"),
-        (
-            "decisions/README.md",
-            "[c](../../CONTRIBUTING.md#add-a-robot)",
-            "[c](../contributing.md#add-a-robot)",
-        ),
-        ("contributing.md", "[a](docs/architecture.md)", "[a](architecture.md)"),
-        ("contributing.md", "[a](https://x.org/y) [b](#here)", "[a](https://x.org/y) [b](#here)"),
-        ("contributing.md", "[a](Makefile)", "[a](Makefile)"),
-    ],
-)
-def test_links_of_the_repository_are_links_of_the_site(page: str, text: str, expected: str) -> None:
-    assert outside.relinked(text, page) == expected
-
-
-def test_what_lies_elsewhere_is_there() -> None:
-    for source in [*outside.DOCUMENTS.values(), *outside.PICTURES.values()]:
-        assert (ROOT / source).is_file()
 
 
 def test_links_elsewhere_are_whole() -> None:

@@ -1,0 +1,5 @@
+cmake_minimum_required(VERSION 3.16)
+project(direct LANGUAGES CXX)
+find_package({package} REQUIRED)
+add_executable(direct main.cpp)
+target_link_libraries(direct PRIVATE {package}::{package})

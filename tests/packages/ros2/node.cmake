@@ -1,0 +1,8 @@
+cmake_minimum_required(VERSION 3.16)
+project(consumer LANGUAGES CXX)
+find_package(pluginlib REQUIRED)
+find_package(Eigen3 REQUIRED)
+add_executable(consumer "{source}")
+set_target_properties(consumer PROPERTIES CXX_STANDARD 17)
+target_include_directories(consumer PRIVATE "{include}")
+target_link_libraries(consumer PRIVATE pluginlib::pluginlib Eigen3::Eigen)
