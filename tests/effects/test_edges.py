@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from robodyn.counts import count
 from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input
-from robodyn.kernels.generate import NoForwardDynamics, Options, generate, maker, program
+from robodyn.kernels.generate import NoForwardDynamics, Options, generate, program
 from robodyn.kernels.robot_kernel import compile as compile_kernel
 from robodyn.robot import Robot, load
-from robodyn.robot.model import EffectEntry
 from robodyn.verify import Reference
 
 _ARM = """\
@@ -87,12 +83,3 @@ def test_a_rotor_behind_a_spring_is_inertia_enough_for_forward_dynamics(tmp_path
     assert program(robot, "forward_dynamics").operations
     with pytest.raises(NoForwardDynamics, match="no forward dynamics"):
         program(described(tmp_path, ", effects: [{effect: spring, stiffness: 3}]"), "forward_dynamics")
-
-
-def test_effects_of_sensors_cost_no_record() -> None:
-    robot = load("puma560", warn=lambda _: None)
-    biased = replace(robot, effects=(EffectEntry("torque_bias", 1, (("bias", Fraction(1)),)),))
-    options = Options()
-    found = [count(maker(each, options).program("gravity")) for each in (robot, biased)]
-    assert found[0] == found[1]
-    assert maker(biased, options).robot == robot

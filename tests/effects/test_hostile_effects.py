@@ -1,7 +1,6 @@
 """Arms with effects whose numbers are chosen against finite fields: no kernel is wrong.
 
-Each program is evaluated in many digits and set beside :mod:`robodyn_testing.world_drives`: torques that are
-balanced in the world's frame, and the equations of the effects as they are typeset.
+Each program is evaluated in many digits and set beside the plain recursion, in which nothing is merged.
 """
 
 from __future__ import annotations
@@ -22,12 +21,16 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.kernels.generate import Generated, Level
 from robodyn.robot import Robot, read_text
 from robodyn.robot.folding import folded
-from robodyn.robot.values import parameter
+from robodyn.robot.values import Value, parameter
 from robodyn_testing import sampled
 from robodyn_testing.hostile_effects import REST, hostile_drives, near_copy, primes_drawn
 from robodyn_testing.hostile_numbers import KNOWN
-from robodyn_testing.world_drives import WorldArm, power
-from robodyn_testing.world_dynamics import number
+
+
+def power(x: Any, exponent: Any) -> Any:
+    """``x^exponent``, of a negative ``x`` where the exponent is whole."""
+    return x ** int(exponent) if mpmath.isint(exponent) and abs(exponent) < 99 else mpmath.power(x, exponent)
+
 
 #: Numbers of the arms range over hundreds of powers of ten, and cancel.
 DIGITS = 600
@@ -37,10 +40,10 @@ FUNCTIONS: dict[str, Any] = {
     "sin": mpmath.sin, "cos": mpmath.cos, "tanh": mpmath.tanh, "sign": mpmath.sign, "sqrt": mpmath.sqrt,
     "exp": mpmath.exp, "abs": abs, "pow": power,
 }  # fmt: skip
-#: Rates that the functions are given.
-MOVED: dict[str, Sequence[str]] = {"inverse_dynamics": ("qd", "qdd"), "bias": ("qd",), "gravity": ()}
+#: No finite field has a part in what is written so.
+PLAIN = Options(formulation="newton_euler", regroup=False, optimize="none")
 QUICK = range(30)
-LEVELS: tuple[Level, ...] = ("fast", "record", "none")
+LEVELS: tuple[Level, ...] = ("fast", "record")
 
 
 def arm(seed: int, joints: int) -> Robot:
@@ -57,67 +60,45 @@ def arm(seed: int, joints: int) -> Robot:
 def check(robot: Robot, states: Sequence[int] = (0, 1, 2), options: Options | None = None) -> Generated:
     """Compare every function of ``robot`` at some of the states of :func:`rows`."""
     read = folded(robot)
-    made = generate(read, options or Options(optimize="fast"))
+    made, plain = generate(read, options or Options(optimize="fast")), generate(read, PLAIN)
     rng = random.Random(robot.name)
     with mpmath.workdps(DIGITS):
-        parameters = {name: mpmath.mpf(rng.uniform(0.1, 3)) for name in read.parameters}
-        tilted(robot, read)
-        world = WorldArm(replace(robot, gravity=read.gravity), parameters)
+        named = {Input(name, None): mpmath.mpf(rng.uniform(0.1, 3)) for name in read.parameters}
         for k in states:
-            compare(world, made, rows(rng, read, k))
-        for function, reason in made.left_out.items():
-            assert function == "forward_dynamics"
-            if world.feels_load:
-                assert reason.startswith("friction that depends on the load")
-            else:
-                singular(world, [mpmath.mpf(rng.uniform(-3, 3)) for _ in range(robot.n)])
+            inputs = named | rows(rng, read, k)
+            for (signature, found), (_, expected) in zip(
+                made.unit.functions, plain.unit.functions, strict=True
+            ):
+                for dt in ("0", "0.05") if signature.states else ("0",):
+                    inputs[Input("dt", 0)] = mpmath.mpf(dt)
+                    close(run(found, inputs), run(expected, inputs))
+    assert made.left_out == plain.left_out
     assert len(made.unit.functions) + len(made.left_out) == 5
     return made
 
 
-def rows(rng: random.Random, robot: Robot, k: int) -> dict[str, list[Any]]:
+def rows(rng: random.Random, robot: Robot, k: int) -> dict[Input, Any]:
     """State 0: anywhere; 1: some joints at rest or at the edge of the band, the others moving; 2: at rest."""
     n = robot.n
     found = {a: [mpmath.mpf(rng.uniform(-3, 3)) for _ in range(n)] for a in ("q", "qd", "qdd", "tau")}
+    found["state"] = [x / 100 for x in found["tau"] * 20]
     if k == 1:
         found["qd"] = [-x for x in found["qd"]]
-        edge = number(robot.dead_band or robot.rest_velocity or rng.choice(robot.gravity), {})
+        edge = number(robot.dead_band or robot.rest_velocity or rng.choice(robot.gravity))
         for i in range(0, n, 3):
             found["qd"][i] = edge * rng.choice((-1, 0, 1))
     if k == 2:
         found["qd"] = [mpmath.mpf(0)] * n
-    return found
+    return {Input(a, i): x for a, row in found.items() for i, x in enumerate(row)}
 
 
-def compare(world: WorldArm, made: Generated, at: dict[str, list[Any]]) -> None:
-    """Every function at one state; what remembers at two lengths of a step."""
-    n = world.robot.n
-    q, qd, qdd = at["q"], at["qd"], at["qdd"]
-    zero = [mpmath.mpf(0)] * n
-    named = {Input(name, None): x for name, x in world.parameters.items()}
-    inputs = named | {Input(a, i): x for a, row in at.items() for i, x in enumerate(row)}
-    for signature, program in made.unit.functions:
-        if signature.states:
-            for dt in (mpmath.mpf(0), mpmath.mpf("0.05")):
-                state = [x / 100 for x in (at["tau"] * 20)[: len(signature.states)]]
-                given = {Input("state", i): x for i, x in enumerate(state)} | {Input("dt", 0): dt}
-                tau, after = world.torques(q, qd, qdd, state, dt)
-                close(run(program, inputs | given), [*tau, *after])
-            continue
-        values = run(program, inputs)
-        if signature.function == "mass_matrix":
-            product = [mpmath.fdot(values[n * i : n * i + n], qdd) for i in range(n)]
-            still = zip(world.rigid(q, zero, qdd), world.rigid(q, zero, zero), strict=True)
-            close(product, [x - y for x, y in still])
-        elif signature.function == "forward_dynamics":
-            close(world.torques(q, qd, values)[0], at["tau"])
-        else:
-            moved = MOVED[signature.function]
-            close(values, world.torques(q, *(at[a] if a in moved else zero for a in ("qd", "qdd")))[0])
+def number(x: Value) -> Any:
+    assert isinstance(x, Fraction)
+    return mpmath.mpf(x.numerator) / x.denominator
 
 
 def run(program: Program, inputs: dict[Input, Any]) -> list[Any]:
-    found = evaluate(program, inputs, constant=lambda x: number(x, {}), functions=FUNCTIONS)
+    found = evaluate(program, inputs, constant=number, functions=FUNCTIONS)
     return [x for row in found.values() for x in row]
 
 
@@ -127,44 +108,7 @@ def close(found: Sequence[Any], expected: Sequence[Any]) -> None:
         assert abs(a - b) <= TOLERANCE * abs(b) + mpmath.mpf(10) ** (-DIGITS // 2)
 
 
-def tilted(robot: Robot, read: Robot) -> None:
-    """Gravity as it was read is that of the tilted base, to the digits of a double."""
-    x, y, z = (number(g, {}) for g in robot.gravity)
-    for entry in robot.effects:
-        if entry.effect == "base_tilt":
-            (c, s), (e, f) = (
-                (mpmath.cos(t), mpmath.sin(t))
-                for t in (number(entry[name], {}) for name in ("tilt_x", "tilt_y"))
-            )
-            y, z = c * y - s * z, s * y + c * z
-            x, z = e * x + f * z, e * z - f * x
-    size = sum(abs(number(g, {})) for g in robot.gravity)
-    for found, expected in zip(read.gravity, (x, y, z), strict=True):
-        assert abs(number(found, {}) - expected) <= 1e-14 * size
-
-
-def singular(world: WorldArm, q: Sequence[Any]) -> None:
-    """Some leading minor of the mass matrix is zero: scaled to a diagonal of ones, but for rounding."""
-    n, zero = world.robot.n, [mpmath.mpf(0)] * world.robot.n
-    still = world.rigid(q, zero, zero)
-    M = mpmath.matrix(n, n)
-    for j in range(n):
-        unit = [mpmath.mpf(i == j) for i in range(n)]
-        for i, (x, y) in enumerate(zip(world.rigid(q, zero, unit), still, strict=True)):
-            M[i, j] = x - y
-    size = max(abs(x) for x in M)
-    tiny = mpmath.mpf(10) ** (-DIGITS // 2)
-    for k in range(n):
-        if abs(M[k, k]) <= tiny * size:
-            return
-        for i in range(k + 1, n):
-            factor = M[i, k] / M[k, k]
-            for j in range(k, n):
-                M[i, j] -= factor * M[k, j]
-    raise AssertionError("forward dynamics is refused, and the mass matrix is regular")
-
-
-@pytest.mark.parametrize("seed", sampled(QUICK, every=4))
+@pytest.mark.parametrize("seed", sampled(QUICK, every=6, rest="slow"))
 def test_hostile_effects(seed: int) -> None:
     check(arm(seed, seed % 3 + 1), (0, 1 + seed // 3 % 2), Options(optimize=LEVELS[seed % 2]))
 
@@ -174,7 +118,7 @@ def test_hostile_effects(seed: int) -> None:
 def test_many_hostile_effects(seed: int) -> None:
     check(
         arm(seed, seed // 5 % 30 + 1 if seed % 5 == 0 else seed % 6 + 1),
-        options=Options(optimize=LEVELS[seed % 3]),
+        options=Options(optimize=LEVELS[seed % 2]),
     )
 
 

@@ -138,17 +138,6 @@ def test_what_depends_on_the_load_has_no_forward_dynamics_in_closed_form() -> No
         maker(arm("rubbing"), Options()).program("forward_dynamics")
 
 
-def test_effects_that_do_not_feel_the_load_have_forward_dynamics() -> None:
-    robot = arm("rubbing")
-    light = replace(
-        robot, effects=tuple(e for e in robot.effects if e.effect in ("spring", "motor_coupling", "payload"))
-    )
-    values = {name: VALUES[name] for name in light.parameters}
-    made, (q, qd, qdd) = compile_kernel(light), states(light)
-    tau = made.inverse_dynamics(q, qd, qdd, params=values)
-    np.testing.assert_allclose(made.forward_dynamics(q, qd, tau, params=values), qdd, rtol=0, atol=1e-10)
-
-
 def test_what_of_the_counts_is_of_the_rigid_arm() -> None:
     """A payload alone is part of it."""
     counted = generate(arm("sliding"))

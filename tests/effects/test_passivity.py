@@ -10,12 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-import robodyn
-from effects.cases import CASES, Case, draw, entry, floats
+from effects.cases import CASES, Case, draw, floats
 from robodyn.effects import thesis_friction as thesis
-from robodyn.effects.catalogue import CATALOGUE, effect
+from robodyn.effects.catalogue import effect
 from robodyn.effects.effect import Memory, Site
-from robodyn.verify import Reference
 from robodyn.verify.effects import direction
 
 DIRECTIONS = {"sharp": (None, None), "smooth": (0.375, None), "dead band": (None, 0.5)}
@@ -39,11 +37,6 @@ def added(case: Case, values: Any, at: Site) -> Any:
     return equation(values, at)
 
 
-def test_all_of_them_are_here() -> None:
-    found = {CASES[name].id for name in DISSIPATIVE}
-    assert found == {id for id, each in CATALOGUE.items() if each.dissipative}
-
-
 @pytest.mark.parametrize("way", DIRECTIONS)
 @pytest.mark.parametrize("name", DISSIPATIVE)
 def test_power_is_never_given_back(name: str, way: str) -> None:
@@ -61,37 +54,6 @@ def test_power_is_never_given_back(name: str, way: str) -> None:
         assert (torque[at.direction * torque != 0] * at.qd[at.direction * torque != 0] > 0).all()
         still = added(case, values, replace(at, qd=0 * at.qd, direction=0 * at.qd))
         np.testing.assert_array_equal(still, 0 * at.qd)
-
-
-def test_springs_and_ripple_are_not_friction() -> None:
-    at = places(np.random.default_rng(1), "sharp")
-    for name in ("spring", "ripple", "rotor"):
-        assert (added(CASES[name], floats(draw(CASES[name], random.Random(2))), at) * at.qd).min() < 0
-
-
-@pytest.mark.parametrize("way", DIRECTIONS)
-@pytest.mark.parametrize("side", ["motor", "link"])
-def test_an_arm_with_all_of_them_loses_energy(way: str, side: Any) -> None:
-    puma = robodyn.load("puma560", warn=lambda _: None)
-    smooth, band = (x and Fraction(x) for x in DIRECTIONS[way])
-    bare = replace(puma, torque_side=side, rest_velocity=smooth, dead_band=band, effects=())
-    still = tuple(
-        replace(link, joint=replace(link.joint, viscous=Fraction(0), coulomb=Fraction(0)))
-        for link in bare.links
-    )
-    rng, entries = random.Random(7), []
-    for i, name in enumerate(DISSIPATIVE):
-        case, joint = CASES[name], i % 6 + 1
-        if case.revolute:
-            given = draw(case, rng)
-            if case.id == "motor_coupling":
-                joint, given["with"], given["inertia"] = 5, 6, Fraction(0)
-            entries.append(entry(case.id, joint, **given))
-    q, qd, qdd = np.random.default_rng(8).uniform(-3, 3, (3, 200, 6))
-    ideal = Reference(replace(bare, links=still)).inverse_dynamics(q, qd, qdd)
-    lossy = Reference(replace(bare, effects=tuple(entries))).inverse_dynamics(q, qd, qdd)
-    lost = np.sum((lossy - ideal) * qd, axis=1)
-    assert lost.min() > 0
 
 
 # --- the transmission -------------------------------------------------------------------------------------
@@ -141,21 +103,3 @@ def test_bristles_lose_energy() -> None:
         assert dissipated(p, v, z).min() >= 0
         # Both bounds are sharp: bent twice as far, and faster.
         assert dissipated(p, 0.99 * bound, 2 * slides) > 0 > dissipated(p, 1.01 * bound, 2 * slides)
-
-
-def test_a_loop_of_bristles() -> None:
-    """Back and forth far beyond the bend, friction takes 4 level times the amplitude, nearly; within a small
-    share of it they are a spring."""
-    p = {"stiffness": 2000.0, "level": 2.0, "damping": 0.0}
-    work = {}
-    for amplitude in (1.0, 1e-5):
-        z, dt, lost, before = (0.0,), 1e-3, 0.0, 0.0
-        for k in range(2000):
-            if k == 1000:
-                lost = 0.0
-            v = amplitude * 2 * np.pi * np.cos(2 * np.pi * (k + 0.5) * dt)
-            z, torque = bristles().step(p, Site(True, qd=v), z, dt)
-            lost, before = lost + (torque + before) / 2 * v * dt, torque
-        work[amplitude] = lost / (4 * p["level"] * amplitude)
-    assert work[1.0] == pytest.approx(1, abs=5e-3)
-    assert 0 < work[1e-5] < 1e-2

@@ -43,16 +43,6 @@ def test_bearings_are_two_supports_in_balance(seed: int) -> None:
     assert friction.linear_bearing(MU, D, f, n, 1) == pytest.approx(sliding)
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_without_a_moment_the_span_cancels(seed: int) -> None:
-    f, _ = loads(seed)
-    load = math.hypot(f[0], f[1])
-    for d in (0.1, 3.0):
-        none = (0.0, 0.0, 0.0)
-        assert friction.journal_bearing(MU, R, d, f, none, 1) == pytest.approx(MU * R * load)
-        assert friction.linear_bearing(MU, d, f, none, 1) == pytest.approx(MU * (abs(f[0]) + abs(f[1])))
-
-
 def test_thrust_and_sum() -> None:
     assert friction.thrust_bearing(MU, R, (1.0, 2.0, -3.0), -1) == pytest.approx(-0.024)
     assert friction.with_friction(2.0, -0.5) == 1.5

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
-from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -17,7 +16,7 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.effects.effect import Effect
 from robodyn.effects.traits import Dahl, Form, Law, Twist, Usual
 from robodyn.robot.model import Joint
-from robodyn.simulate.shape import elements_of, without_losses
+from robodyn.simulate.shape import without_losses
 
 JOINTS = (
     Usual(2, 3, True, 4.0, 10.0, 20.0, 45.0, 1.0, 3.0, 0.1, 0.8, 0.2),
@@ -129,18 +128,6 @@ def test_a_motor_of_two_joints_is_dry_by_its_level() -> None:
     values = {"inertia": Fraction(1), "viscous": Fraction(1), "coulomb": Fraction(0)}
     assert not effect.is_dry(values, revolute=True)
     assert effect.is_dry({**values, "coulomb": Fraction(1, 100)}, revolute=True)
-
-
-@pytest.mark.parametrize("id", ["coulomb_friction", "asymmetric_friction", "stribeck_friction"])
-def test_a_copy_under_another_name_sticks(id: str) -> None:
-    copy: Effect = replace(CATALOGUE[id], id="another")
-    values = {p.name: Fraction(2) for p in copy.parameters}
-    for place in ("link", "bearing", "gear", "motor"):
-        side = (Acting(copy, values),)
-        drive = JointDrive(True, **{place: side})
-        assert [element.what for element in elements_of(Layer((drive,)), (), 1)] == ["joint 1"]
-        end = "link 1" if place in ("link", "bearing") else "motor 1"
-        assert [element.what for element in elements_of(Layer((drive,)), (0,), 2)] == [end]
 
 
 def test_what_is_kept_without_losses_has_a_potential() -> None:

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from effects.cases import CASES, COUPLERS, Case, draw, floats, mapped, site
+from effects.cases import CASES, Case, draw, floats, mapped, site
 from robodyn.effects.effect import Effect, Site
 
 _UNITS = {"N": {"kg": 1, "m": 1, "s": -2}, "kg": {"kg": 1}, "m": {"m": 1}, "s": {"s": 1}, "rad": {"rad": 1}}
@@ -66,39 +66,3 @@ def test_units(name: str) -> None:
     for revolute in (True, False):
         if case.revolute if revolute else case.prismatic:
             assert all(units_fit(case, case.effect, revolute, rng) for _ in range(5))
-
-
-@pytest.mark.parametrize("name", COUPLERS)
-@pytest.mark.parametrize("revolute", [True, False])
-def test_units_of_couplers(name: str, revolute: bool) -> None:
-    case, rng = COUPLERS[name], random.Random(name)
-    found = case.effect
-    assert found.coupler is not None
-    values, at = floats(draw(case, rng)), mapped(site(rng, revolute=revolute), float)
-    p, moved, scales = in_smaller_units(found, values, at)
-    way, force = (factor(unit, scales) for unit in (("rad", "N m") if revolute else ("m", "N")))
-    for scaled, plain, unit in (
-        (found.coupler.twist(p, moved.tau), found.coupler.twist(values, at.tau), way),
-        (found.coupler.torque(p, moved.q, moved.qd), found.coupler.torque(values, at.q, at.qd), force),
-        (found.coupler.energy(p, moved.q), found.coupler.energy(values, at.q), force * way),
-        (found.coupler.lag(p, moved.tau), found.coupler.lag(values, at.tau), scales["s"]),
-    ):
-        assert scaled == pytest.approx(plain * unit, rel=1e-12)
-
-
-@pytest.mark.parametrize("revolute", [True, False])
-def test_units_of_the_memory(revolute: bool) -> None:
-    case, rng = CASES["presliding"], random.Random(2)
-    found = case.effect
-    assert found.memory is not None
-    for z in (0.3, -0.02):
-        values, at = floats(draw(case, rng)), mapped(site(rng, revolute=revolute), float)
-        p, moved, scales = in_smaller_units(found, values, at)
-        way, force = (factor(unit, scales) for unit in (("rad", "N m") if revolute else ("m", "N")))
-        ((after,), torque), ((scaled,), more) = (
-            found.memory.step(*given)
-            for given in ((values, at, (z,), 0.1), (p, moved, (z * way,), 0.1 * scales["s"]))
-        )
-        assert (scaled, more) == pytest.approx((after * way, torque * force), rel=1e-12)
-        (rate,), (faster,) = found.memory.rates(values, at, (z,)), found.memory.rates(p, moved, (z * way,))
-        assert faster == pytest.approx(rate * way / scales["s"], rel=1e-12)

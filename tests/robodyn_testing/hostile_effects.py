@@ -31,16 +31,15 @@ REST: Final = ("exact", "smooth", "banded")
 _FEEL_LOAD: Final = ("load_dependent_friction", "transmission_loss")
 
 
-def hostile_drives(seed: int, *, joints: int, mild: bool = False) -> Robot:
-    """The arm number ``seed`` with random effects, whose numbers play against a prime; ``mild``: numbers
-    between 0.1 and 10."""
+def hostile_drives(seed: int, *, joints: int) -> Robot:
+    """The arm number ``seed`` with random effects, whose numbers play against a prime."""
     rng = random.Random(f"hostile drives {seed}")
     robot = replace(random_robot(seed, joints=joints), name=f"driven{seed}", rest_velocity=None)
     share = rng.choice((0.6, 0.8)) if joints <= 3 else rng.choice((0.1, 0.25))
     ids = [id for id in CATALOGUE if id not in _FEEL_LOAD] if seed % 4 == 3 else list(CATALOGUE)
     robot = with_random_effects(robot, seed, ids=ids, share=share, names=rng.choice((0, 0, 0.3)))
     prime = rng.choice((PRIMES[0], KNOWN, rng.choice(PRIMES)))
-    numbers = Numbers(rng, prime, rng.choice((0.1, 0.4, 1.0)), mild=mild)
+    numbers = Numbers(rng, prime, rng.choice((0.1, 0.4, 1.0)))
     if rng.random() < 0.8:  # most friction is of motors
         robot = replace(robot, torque_side="motor")
     robot = replace(robot, effects=(*robot.effects, *_folding(rng, robot)))
@@ -155,7 +154,7 @@ def _swapped_setting(p: Parameter, old: Any, numbers: Numbers) -> Any:
 def _nonzero(numbers: Numbers, old: Fraction, *, positive: bool) -> Fraction:
     new = numbers.swapped(old, positive=positive)
     assert isinstance(new, Fraction)
-    return new or old or Fraction(1 if numbers.mild else numbers.prime)
+    return new or old or Fraction(numbers.prime)
 
 
 def _shared(numbers: Numbers, old: Fraction) -> Fraction:

@@ -34,24 +34,17 @@ def hostile(seed: int, *, joints: int | None = None) -> Robot:
 
 
 class Numbers:
-    """Swaps numbers of a description for others that play against ``prime``, a ``share`` of those asked for;
-    ``mild``: for such between 0.1 and 10, in which doubles keep their digits."""
+    """Swaps a ``share`` of the numbers of a description for others that play against ``prime``."""
 
-    def __init__(self, rng: random.Random, prime: int, share: float, *, mild: bool = False) -> None:
-        self.rng, self.prime, self.share, self.mild = rng, prime, share, mild
+    def __init__(self, rng: random.Random, prime: int, share: float) -> None:
+        self.rng, self.prime, self.share = rng, prime, share
         self.chosen = [_number(rng, prime) for _ in range(3)]
 
     def swapped(self, value: Value, *, positive: bool = False) -> Value:
         """``value`` or another number; names stay."""
         if self.rng.random() > self.share or not isinstance(value, Fraction):
             return value
-        new = self._other(value, positive=positive)
-        if self.mild:  # a multiple of the prime stays one
-            while abs(new) > 10:
-                new /= 10
-            while 0 < abs(new) < Fraction(1, 10):
-                new *= 10
-        return new
+        return self._other(value, positive=positive)
 
     def _other(self, value: Fraction, *, positive: bool = False) -> Fraction:
         rng, how = self.rng, self.rng.randrange(4)
@@ -66,7 +59,7 @@ class Numbers:
         """``robot`` with other links and gravity."""
         rng, (gx, gy, gz) = self.rng, robot.gravity
         links = tuple(map(self._link, robot.links))
-        if rng.random() < self.share / 3 and not self.mild:
+        if rng.random() < self.share / 3:
             gz = self._other(gz)
         return replace(robot, links=links, gravity=(gx, gy, gz))
 

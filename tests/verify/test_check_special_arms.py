@@ -16,6 +16,7 @@ from robodyn.ir.signature import Signature
 from robodyn.robot.model import Inertia, Joint, Link, Robot
 from robodyn.robot.values import PI, ZERO, angle
 from robodyn.verify import Reference, verify
+from robodyn_testing import covering, representative
 from verify.checked import Stand, check
 
 
@@ -87,8 +88,7 @@ def test_given_sines_and_cosines(arm: Robot) -> None:
         check(turning, kernel)
 
 
-@pytest.mark.parametrize("size", [10**154, 10**200, 9 * 10**307])
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize(("size", "scalar"), covering([10**154, 9 * 10**307], ["double", "float"]))
 def test_a_model_that_overflows_does_not_pass(arm: Robot, size: int, scalar: Any) -> None:
     """Neither does it warn, which would be an error here, nor stop."""
     first, second, third = arm.links
@@ -101,7 +101,7 @@ def test_a_model_that_overflows_does_not_pass(arm: Robot, size: int, scalar: Any
     assert "FAILED" in report.to_text()
 
 
-@pytest.mark.parametrize("name", ["rubbing", "remembering", "banded"])
+@pytest.mark.parametrize("name", representative(["rubbing", "remembering", "banded"], "rubbing"))
 def test_arms_with_effects_against_the_reference(name: str) -> None:
     from robodyn.kernels.robot_kernel import compile as compile_kernel
     from robodyn_testing.effect_arms import arm as effect_arm

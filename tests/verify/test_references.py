@@ -38,7 +38,7 @@ def joint(kind: Literal["revolute", "prismatic"] = "revolute", **numbers: Any) -
 
 
 @pytest.mark.parametrize("joints", [1, 2, 3, 4, 5])
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", range(2))
 def test_newton_euler_is_virtual_work(joints: int, seed: int) -> None:
     robot = random_robot(seed, joints=joints, aside=0.4, **(GENERIC if seed % 2 else {}))
     q, qd, qdd = states(robot, 4, seed)
@@ -47,7 +47,7 @@ def test_newton_euler_is_virtual_work(joints: int, seed: int) -> None:
     np.testing.assert_allclose(tau, exact(robot, q, qd, qdd), rtol=0, atol=2e-14 * np.abs(tau).max())
 
 
-@pytest.mark.parametrize(("joints", "seed"), covering([2, 1, 3], range(100, 106)))
+@pytest.mark.parametrize(("joints", "seed"), covering([2, 1, 3], range(100, 103)))
 def test_newton_euler_is_the_lagrangian(joints: int, seed: int) -> None:
     robot = random_robot(seed, joints=joints, aside=0.4, **(GENERIC if joints < 3 or seed == 100 else {}))
     q, qd, qdd = states(robot, 20, seed)
@@ -136,44 +136,6 @@ def test_the_link_side_has_no_rotor_and_no_friction() -> None:
     assert float(exact_torque(robot, [0.3], [-2.0], [5.0])[0]) == pytest.approx(want, rel=1e-15)
     assert lagrangian(robot)([0.3], [-2.0], [5.0])[0] == pytest.approx(want, rel=1e-15)
     assert Reference(robot).mass_matrix([0.3])[0, 0] == 0.5625
-
-
-def test_a_lift_by_hand() -> None:
-    """A mass on a vertical slide: F = m (qdd + g)."""
-    lift = Robot(
-        "lift", (Link("cage", joint("prismatic"), mass=Fraction(3)),), gravity=(ZERO, ZERO, Fraction(-10))
-    )
-    assert Reference(lift).inverse_dynamics([0.2], [1.0], [2.0]).tolist() == [36.0]
-    assert exact_torque(lift, [0.2], [1.0], [2.0]) == [36]
-
-
-def test_two_links_by_hand() -> None:
-    """Craig, Introduction to Robotics, 6.58: point masses at the ends of two links, in a vertical plane."""
-    m1, m2, l1, l2, g = 2.0, 3.0, 0.5, 0.25, 10.0
-    links = (
-        Link("upper", joint(alpha=angle(PI / 2)), mass=Fraction(2), com=(Fraction(1, 2), ZERO, ZERO)),
-        Link("lower", joint(a=Fraction(1, 2)), mass=Fraction(3), com=(Fraction(1, 4), ZERO, ZERO)),
-    )
-    robot = Robot("two", links, gravity=(ZERO, ZERO, Fraction(-10)))
-    (q1, q2), (v1, v2), (a1, a2) = (0.4, -1.1), (2.0, -3.0), (5.0, 7.0)
-    c1, c2, s2, c12 = math.cos(q1), math.cos(q2), math.sin(q2), math.cos(q1 + q2)
-    tau2 = m2 * l1 * l2 * c2 * a1 + m2 * l1 * l2 * s2 * v1**2 + m2 * l2 * g * c12 + m2 * l2**2 * (a1 + a2)
-    tau1 = (
-        m2 * l2**2 * (a1 + a2)
-        + m2 * l1 * l2 * c2 * (2 * a1 + a2)
-        + (m1 + m2) * l1**2 * a1
-        - m2 * l1 * l2 * s2 * v2**2
-        - 2 * m2 * l1 * l2 * s2 * v1 * v2
-        + m2 * l2 * g * c12
-        + (m1 + m2) * l1 * g * c1
-    )
-    state = [q1, q2], [v1, v2], [a1, a2]
-    for found in (
-        Reference(robot).inverse_dynamics(*state),
-        lagrangian(robot)(*state),
-        [float(x) for x in exact_torque(robot, *state)],
-    ):
-        np.testing.assert_allclose(found, [tau1, tau2], rtol=1e-14)
 
 
 def test_exact_torque_has_28_digits() -> None:
