@@ -12,7 +12,7 @@ from robodyn.counts import Count, count, parse_budget
 from robodyn.counts.thesis import beside
 from robodyn.ir import Input, Label, Operation, Program
 from robodyn.optimize.programs import FORMULATIONS
-from robodyn.robot import Comparison, bundled_names
+from robodyn.robot import Comparison
 
 A3X, LAM, Q = Input("a3_x", None), Input("lam3_12", None), Input("q", 0)
 
@@ -130,14 +130,6 @@ def test_counts_beat_the_thesis(name: str, total: int, mul: int) -> None:
     found = count(program(load(name, warn=lambda _: None), "inverse_dynamics"))
     assert found.total <= total
     assert found.mul <= mul
-
-
-@pytest.mark.thorough
-def test_gravity_is_never_more_than_bias_nor_bias_than_inverse_dynamics() -> None:
-    for name in bundled_names():
-        robot = load(name, warn=lambda _: None)
-        totals = [count(program(robot, f)).total for f in ("gravity", "bias", "inverse_dynamics")]
-        assert totals == sorted(totals), name
 
 
 def test_each_formulation_is_held_to_its_own_figure() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -11,16 +10,13 @@ from dynamics.direct import exact_arm
 from ir.programs import Point, exactly
 from robodyn import Options, program
 from robodyn.dynamics.functions import by_default
-from robodyn.dynamics.joints import smoothed_sign
-from robodyn.ir import Input, Operation, Program
-from robodyn.ir.evaluate import evaluate
+from robodyn.ir import Input
 from robodyn.ir.fingerprint import fingerprint
 from robodyn.robot import Robot, fold_rotor, read_text
 from robodyn.robot.values import circle_point
 
 ARMS = [exact_arm(seed, joints=3, motors=0, friction=0) for seed in range(40, 44)]
 MOTOR, COULOMB = Fraction("1.7"), Fraction("2.3")
-SIGN = Program((Operation("sign", (Input("x", None),)),), (("t", (0,)),))
 #: Functions that drives have no part in.
 WITHOUT_DRIVES = (
     "gravity",
@@ -87,12 +83,3 @@ def test_a_rotor_folded_into_the_link_is_another_model() -> None:
     assert not same_program(folded, robot)
     unit = [Fraction(0), Fraction(0), Fraction(1)]
     assert torque(folded, Point(1), qd=zero, qdd=unit)[2] == torque(robot, Point(1), qd=zero, qdd=unit)[2]
-
-
-def test_a_sign_over_plain_numbers() -> None:
-    """As the recursion takes it where it runs on numbers instead of nodes."""
-    for velocity, way in ((Fraction(0), 0), (Fraction(1, 9), 1), (Fraction(-1, 9), -1)):
-        assert smoothed_sign(velocity, None) == way
-        assert smoothed_sign(float(velocity), None) == way
-        assert evaluate(SIGN, {Input("x", None): velocity})["t"] == [way]
-    assert smoothed_sign(0.3, 0.1) == math.tanh(0.3 / 0.1)

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
-from typing import Any
 
-from robodyn.ir.evaluate import evaluate_exact
-from robodyn.ir.program import Input, Program
+from robodyn.ir.program import Program
 from robodyn.kernels.generate import Options, generate
 from robodyn.robot import read_text
 from robodyn.robot.bundled import load
 from robodyn.robot.model import Robot
-from robodyn.robot.values import circle_point
 
 #: An arm on a wall, with parallel joints, one of them upside down, a slide, a name and a tool.
 ARM = """\
@@ -33,31 +29,6 @@ NAMES = ("forward_kinematics", "link_poses", "jacobian", "tool_jacobian", "jacob
 def programs(robot: Robot, names: Sequence[str] = NAMES) -> dict[str, Program]:
     unit = generate(robot, Options(functions=tuple(names), optimize="fast")).unit
     return {interface.function: program for interface, program in unit.functions}
-
-
-def test_numbers_of_a_flat_arm() -> None:
-    """Craig, example 3.3 and 5.3: a planar arm of two links; and what its tool is accelerated by."""
-    flat = read_text("""\
-name: flat
-tool: {xyz: [2, 0, 0], rpy: [0, 0, 0]}
-links:
-  - {joint: revolute, mass: 1}
-  - {joint: revolute, a: 3, mass: 1}
-""")
-    inputs: dict[Input, Any] = {Input("q", 0): 0.0, Input("q", 1): 0.0}
-    inputs |= {Input("qd", 0): Fraction(5), Input("qd", 1): Fraction(7)}
-    c, s = Fraction(3, 5), Fraction(4, 5)  # of joint 1; joint 2 at a right angle
-    points = {Input("q", 0): (c, s), Input("q", 1): (Fraction(0), Fraction(1))}
-    at = {
-        name: values
-        for program in programs(flat).values()
-        for name, values in evaluate_exact(program, inputs, points, circle_point).items()
-    }
-    x, y = 3 * c - 2 * s, 3 * s + 2 * c
-    assert at["T"][3::4] == [x, y, 0]
-    assert at["jac"] == [-y, -2 * c, x, -2 * s, 0, 0, 0, 0, 0, 0, 1, 1]
-    assert at["drift"][:2] == [-(25 * 3 * c - 144 * 2 * s), -(25 * 3 * s + 144 * 2 * c)]
-    assert at["jac_tool"][:4] == [3, 0, 2, 2]  # r1 (s2, c2) + r2 (0, 1)
 
 
 def test_nothing_of_drives_is_in_it() -> None:

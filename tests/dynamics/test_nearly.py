@@ -105,12 +105,3 @@ def test_an_arm_that_is_far_from_a_class_has_one_solution() -> None:
     assert isinstance(solver, Numerical)
     assert solver.alone
     assert solver.branches == 1
-
-
-def test_out_of_reach_no_branch_is_there() -> None:
-    solver = PoseSolver(CASES["rounded"]())
-    T = solver.pose(np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6]))
-    T[:, 3] *= 4
-    (posed,) = solver.solve(T[None])
-    assert posed.reached == ()
-    assert all(np.isfinite(x.q).all() for x in posed.solutions)

@@ -48,7 +48,7 @@ def inertial(columns: tuple[BaseParameter, ...]) -> list[BaseParameter]:
     return [column for column in columns if column.own.quantity not in DRIVE]
 
 
-@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=20, rest="slow"))
+@pytest.mark.parametrize("name", sampled([*BUNDLED, *RANDOM], every=40, rest="slow"))
 def test_it_is_pinocchios_columns_combined(name: str) -> None:
     """Each column is Pinocchio's of its own number; every number's column of Pinocchio is the sum that the
     terms say; and there are as many as Pinocchio's columns have rank."""

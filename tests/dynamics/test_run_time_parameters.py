@@ -5,15 +5,13 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from dynamics.direct import NO_SHRINKING, exact_arm, values_of, with_named_numbers
 from ir.programs import Point, exactly
 from robodyn import Options, program
 from robodyn.ir import Input
 from robodyn.robot import Robot, read_text
-from robodyn_testing.functions import OF_ANY_ARM, SAMPLED
+from robodyn_testing import covering, sampled
+from robodyn_testing.functions import OF_ANY_ARM
 
 TOOL = """
 name: gripper
@@ -44,8 +42,7 @@ def filled(words: dict[str, str]) -> Robot:
     return read_text(text, warn=lambda _: None)
 
 
-@pytest.mark.parametrize("regroup", [True, False])
-@pytest.mark.parametrize("function", SAMPLED)
+@pytest.mark.parametrize(("regroup", "function"), sampled(covering([True, False], OF_ANY_ARM), every=5))
 def test_every_kind_of_number_may_be_a_name(function: str, regroup: bool) -> None:
     named, plain = filled(NAMES), filled(NUMBERS)
     assert sorted(named.parameters) == sorted(NAMES.values())
@@ -66,26 +63,3 @@ def test_arithmetic_with_names() -> None:
         program(named, "inverse_dynamics"), Point(2), {Input(k, None): v for k, v in numbers.items()}
     )
     assert found == exactly(program(filled(NUMBERS), "inverse_dynamics"), Point(2))
-
-
-@pytest.mark.thorough
-@settings(deadline=None, max_examples=15, phases=NO_SHRINKING)
-@given(st.integers(0, 10**6), st.integers(1, 4), st.integers(1, 2**32), st.sampled_from(sorted(OF_ANY_ARM)))
-def test_any_choice_of_names_gives_what_the_numbers_give(
-    seed: int, n: int, which: int, function: str
-) -> None:
-    robot = exact_arm(seed, joints=n, motors=1)
-    named = with_named_numbers(robot, lambda name: bool(hash_of(name) & which))
-    numbers = values_of(named, robot)
-    assert len(numbers) == len(named.parameters)
-    at = Point(seed)
-    expected = exactly(program(robot, function), at)
-    for options in (Options(), Options(regroup=False), Options(formulation="newton_euler", optimize="none")):
-        assert exactly(program(named, function, options), at, numbers) == expected
-
-
-def hash_of(name: str) -> int:
-    """A number of 32 bits from a name, the same in every process."""
-    import zlib
-
-    return zlib.crc32(name.encode())

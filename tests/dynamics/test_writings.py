@@ -10,16 +10,14 @@ import pytest
 from dynamics.direct import exact_arm
 from robodyn import Options, program
 from robodyn.counts import count
-from robodyn.dynamics.arm import build_arm
 from robodyn.dynamics.equality import same_in_field
 from robodyn.dynamics.functions import FUNCTIONS, Function
 from robodyn.dynamics.limits import FEW_JOINTS, MANY_JOINTS
-from robodyn.dynamics.weights import weighed
-from robodyn.ir import Graph, Program
-from robodyn.optimize.fast import centred
-from robodyn.optimize.programs import Choice, build, recursion_in
+from robodyn.ir import Program
+from robodyn.optimize.programs import Choice, build
 from robodyn.passes import FRESH, unchecked
 from robodyn.robot import Robot, load, read_text
+from robodyn_testing import representative
 
 #: A slide behind parallel joints, one of them upside down, on a wall, with a tool; friction, rotors, a name.
 LEANING = """\
@@ -52,7 +50,7 @@ SEVERAL = [f for f in FUNCTIONS.values() if len({*f.writings(1), *f.without_effe
 OF_LONG_ARMS = [function for function in SEVERAL if function.of_long_arms]
 
 
-@pytest.mark.parametrize("arm", ARMS)
+@pytest.mark.parametrize("arm", representative(ARMS, "of a run-time mass", "of one joint"))
 @pytest.mark.parametrize("function", SEVERAL, ids=lambda function: function.name)
 def test_each_way_to_write_it_is_right(function: Function, arm: str) -> None:
     robot = ARMS[arm]
@@ -73,35 +71,6 @@ def test_one_random_push_tells_a_wrong_entry(joints: int) -> None:
         elements = (*entries[:k], other, *entries[k + 1 :])
         wrong = Program(right.operations, (("lambda_inv", elements),))
         assert not same_in_field(robot, "lambda_inverse", wrong)
-
-
-def test_a_tool_stays_where_it_is_when_its_frame_moves() -> None:
-    robot = read_text("""\
-name: sliding
-tool: {xyz: [0.02, 0.3, 0.1], rpy: [0.2, 0, 0.7]}
-links:
-  - {joint: revolute, d: 0.3, mass: 2}
-  - {joint: prismatic, alpha: pi/2, a: 0.2, mass: 1, com: [0.1, 0, 0.3]}
-  - {joint: revolute, a: 0.2, mass: 1, com: [0.1, 0.1, 0.1]}
-""")
-    arm = build_arm(robot, lambda x: x, Graph().input)
-    moved = centred(arm)
-    shift = moved.bodies[1].d - arm.bodies[1].d
-    assert shift
-    assert moved.tool.origin == (Fraction(1, 50), Fraction(3, 10), Fraction(1, 10) - shift)
-
-
-def test_a_component_of_gravity_is_one_and_the_product_stays() -> None:
-    graph, robot = Graph(), leaning("[1.5, -3, 2]")
-    inputs = {"q": [graph.input("q", i) for i in range(robot.n)]}
-    recursion = recursion_in(graph, robot, Choice(), inputs)
-    links = recursion.links(recursion.rest, recursion.rest)
-    light = weighed(links)
-    assert max(map(abs, light.arm.gravity)) == 1
-    for lump, weight in zip(links.lumps, light.lumps, strict=True):
-        for g, unit in zip(links.arm.gravity, light.arm.gravity, strict=True):
-            products = [unit * h for h in (weight.mass, *weight.first)]
-            assert [g * h for h in (lump.mass, *lump.first)] == products
 
 
 def operations(robot: Robot, function: Function) -> list[int]:

@@ -7,16 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import casadi as ca
-import numpy as np
 import pytest
 
 from independent.answers import ANSWERS
 from independent.arms import CONVENTIONS, Arm, arm, placed
 from independent.cases import CASES, with_case
 from independent.checks import CHECKS
-from independent.matrix import EVERY, Outcome, compare, outcomes, states
-from independent.reference import Reference
+from independent.matrix import EVERY, Outcome, compare, outcomes
 from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn_testing import representative
@@ -32,6 +29,7 @@ QUICK = {
     "load_dependent_friction, journal",
     "joint_elasticity",
     "transmission_loss, cubic",
+    "friction, smooth",
     "stribeck_friction",
     "motor_coupling",
     "names, drives together",
@@ -51,22 +49,6 @@ def test_no_function_and_no_effect_is_left_out() -> None:
         lists = [shown.get("effects", ()), *(link.get("effects", ()) for link in shown["links"])]
         there |= {entry["effect"] for entries in lists for entry in entries}
     assert there == set(CATALOGUE)
-
-
-@pytest.mark.parametrize("convention", CONVENTIONS)
-def test_the_reference_agrees_with_itself(convention: str) -> None:
-    """Lagrange's torques are d'Alembert's reactions along the joints."""
-    reference = Reference(placed("RPR", convention, 3))
-    (at,) = states(reference.arm, 1, 0)
-    del at["tau"]
-    along = [
-        (moment if link["joint"] == "revolute" else force)[2]
-        for (force, moment), link in zip(reference.reactions, reference.links, strict=True)
-    ]
-    torques = reference.value("links", lambda: reference.of_links, **at)
-    assert np.allclose(
-        reference.value("along", lambda: ca.vertcat(*along), **at), torques, rtol=1e-12, atol=1e-12
-    )
 
 
 @pytest.mark.parametrize("case", representative(CASES, *QUICK, rest="slow"))

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, reject, settings
 from hypothesis import strategies as st
 
-from ir.programs import ARITHMETIC, EXACT, Point, interpreted, points, programs, results
+from ir.programs import EXACT, Point, interpreted, points, programs, results
 from robodyn.ir import Graph, Input, Label, Node, Program
 from robodyn.ir.lowering import lower
 from robodyn.passes.negate import negate
@@ -43,18 +43,6 @@ def exact_or_reject(program: Program, at: Point) -> list[Fraction]:
 
 
 # --- arithmetic -------------------------------------------------------------------------------------------
-
-
-@settings(deadline=None, max_examples=70)
-@given(programs(ARITHMETIC), points, st.booleans())
-def test_arithmetic_is_that_of_fractions(program: Program, at: Point, fold: bool) -> None:
-    try:
-        direct = interpreted(program, at.number, {})
-    except ZeroDivisionError:
-        reject()
-    values = built(program, Graph(fold=fold))
-    graph = next((v.graph for v in values if isinstance(v, Node)), Graph())
-    assert results(lower(graph, [("all", values)]), at) == direct
 
 
 @settings(deadline=None, max_examples=70)

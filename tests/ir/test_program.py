@@ -12,10 +12,9 @@ import pytest
 from hypothesis import given, reject, settings
 from hypothesis import strategies as st
 
-from ir.programs import EXACT, Point, interpreted, points, programs, results
+from ir.programs import EXACT, Point, interpreted, points, programs
 from robodyn.ir import Graph, Input, Label, Operation, Program
 from robodyn.ir.evaluate import angle_form, evaluate, evaluate_exact, selected
-from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.lowering import lower
 from robodyn.ir.program import RARELY, rarely_collected
 from robodyn.robot.values import circle_point
@@ -58,19 +57,6 @@ def test_a_dump_can_be_read() -> None:
         "tau = [%3, x]\n"
         "M = [-3/4, %0]"
     )
-
-
-def test_inputs_uses_and_results() -> None:
-    assert small().inputs() == (Q1, X, Q2)
-    assert small().uses() == [2, 1, 1, 1]
-    assert small().results() == (3, X, Fraction(-3, 4), 0)
-
-
-def test_names_of_inputs_and_labels() -> None:
-    assert [str(x) for x in (Q1, Input("qdd", 11), X)] == ["q1", "qdd12", "x"]
-    label = Label(3, "w", "x")
-    assert [str(label), str(label.flipped()), str(Label(2, "tau", ""))] == ["w3_x", "neg_w3_x", "tau2"]
-    assert label.flipped().flipped() == label
 
 
 # --- evaluation over any scalar ---------------------------------------------------------------------------
@@ -117,34 +103,6 @@ def test_the_argument_of_a_sine_must_be_an_angle() -> None:
 
 
 # --- sines of sums ----------------------------------------------------------------------------------------
-
-
-THIRD = circle_point(Fraction(1, 3))
-#: Of the angles a and b: what is, and is not, equal.
-THEOREMS: dict[str, Callable[[Graph, Any, Any], tuple[Any, Any]]] = {
-    "sine of a sum": lambda g, a, b: (g.sin(a + b), g.sin(a) * g.cos(b) + g.cos(a) * g.sin(b)),
-    "cosine of a sum": lambda g, a, b: (g.cos(a + b), g.cos(a) * g.cos(b) - g.sin(a) * g.sin(b)),
-    "difference": lambda g, a, b: (g.cos(b - a), g.cos(a) * g.cos(b) + g.sin(a) * g.sin(b)),
-    "double angle": lambda g, a, b: (g.cos(a + a), 1 - 2 * (g.sin(a) * g.sin(a))),
-    "constant": lambda g, a, b: (g.sin(a + Fraction(1, 3)), g.sin(a) * THIRD[0] + g.cos(a) * THIRD[1]),
-    "circle": lambda g, a, b: (g.sin(a) * g.sin(a) + g.cos(a) * g.cos(a), Fraction(1)),
-    "not of a sum": lambda g, a, b: (g.sin(a + b), g.sin(a) + g.sin(b)),
-    "not even": lambda g, a, b: (g.sin(a + b), g.sin(a - b)),
-    "not of another angle": lambda g, a, b: (g.cos(a), g.cos(b)),
-    "not of another function": lambda g, a, b: (g.cos(a), g.sin(a)),
-}
-
-
-@pytest.mark.parametrize("theorem", THEOREMS)
-def test_addition_theorems(theorem: str) -> None:
-    graph = Graph(fold=False)
-    sides = THEOREMS[theorem](graph, graph.input("q", 0), graph.input("q", 1))
-    left, right = (lower(graph, [("t", [side])]) for side in sides)
-    for seed in range(5):
-        holds = not theorem.startswith("not")
-        assert (results(left, Point(seed)) == results(right, Point(seed))) is holds
-        prints = [fingerprint(side, seed, circle_point) for side in (left, right)]
-        assert (prints[0] == prints[1]) is holds
 
 
 def test_a_constant_angle_has_its_own_point() -> None:

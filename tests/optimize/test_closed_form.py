@@ -53,7 +53,7 @@ def book(robot: Robot) -> Program:
     return lower(graph, [("tau", newton_euler(arm, motion))])
 
 
-@pytest.mark.parametrize("number", sampled(range(len(ARMS)), every=4))
+@pytest.mark.parametrize("number", sampled(sampled(range(len(ARMS)), every=2, rest="slow"), every=6))
 def test_torques_are_the_plain_recursions_fractions(number: int) -> None:
     robot, programs = ARMS[number], forms_of_arm(number)
     assert programs

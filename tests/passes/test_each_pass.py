@@ -4,24 +4,23 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 import pytest
-from hypothesis import given, reject, settings
+from hypothesis import given, settings
 
 from ir.programs import EXACT, Point, programs, results
-from passes.programs import CHOICES, REAL, check_straight, name_of, ops
+from passes.programs import CHOICES, check_straight, ops
 from robodyn import load
 from robodyn.counts import count
+from robodyn.dynamics.functions import by_default
 from robodyn.ir import Graph, Input, Label, Operation, Program
 from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import Choice, build
 from robodyn.passes import FRESH, cse, dce, factor, fold, negate, order, run
 from robodyn_testing.by_hand import by_hand
-from robodyn_testing.functions import SAMPLED
 
 A, B, C, X, Y = (Input(name, None) for name in "abcxy")
 
@@ -87,26 +86,7 @@ def test_sums_of_products_are_factored(pattern: str) -> None:
     assert results(after, Point(1)) == results(expression(build_), Point(1))
 
 
-@pytest.mark.parametrize("step", [negate, order], ids=name_of)
-def test_spelling_changes_no_count(step: Callable[[Program], Program]) -> None:
-    for made in REAL:
-        before, after = count(made), count(step(made))
-        assert replace(after, neg=0) == replace(before, neg=0)
-
-
-@settings(deadline=None, max_examples=80)
-@given(programs(EXACT))
-def test_signs_move_and_operations_stay(made: Program) -> None:
-    try:
-        merged, after = cse(made), negate(made)
-    except ZeroDivisionError:
-        reject()
-    for op in ("mul", "div", "sin", "cos", "sign"):
-        assert ops(after)[op] == ops(merged)[op]
-    assert count(after).add == count(merged).add
-
-
-@pytest.mark.parametrize("function", SAMPLED)
+@pytest.mark.parametrize("function", by_default())
 def test_choosing_signs_leaves_fewer_minuses(function: str) -> None:
     """Than where every value is computed with the sign that it happens to have, a named quantity that stands
     with its sign reversed counting for a third of a minus."""

@@ -6,10 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from hypothesis import given, settings
-
-from ir.programs import EXACT, Point, exactly, points, programs, results
-from passes.programs import REAL, ops, results_or_reject
+from ir.programs import Point, exactly, results
+from passes.programs import REAL, ops
 from robodyn import Options, load, program
 from robodyn.counts import count
 from robodyn.ir import Input, Operand, Operation, Program
@@ -56,13 +54,6 @@ def test_given_sines_change_nothing_else() -> None:
             before, now = count(final), count(after)
             assert (now.mul, now.div, now.neg, now.sincos) == (before.mul, before.div, before.neg, 0)
             assert now.add <= before.add  # sums that were angles only are gone
-
-
-@settings(deadline=None, max_examples=60)
-@given(programs(EXACT), points)
-def test_given_sines_of_any_program(made: Program, at: Point) -> None:
-    expected = results_or_reject(made, at)
-    assert with_given(made, at) == expected
 
 
 def test_the_layout_is_by_joint_and_told_in_words() -> None:

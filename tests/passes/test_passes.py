@@ -26,7 +26,7 @@ PASSES = (fold, cse, dce, factor, units, negate, order)
 
 
 @pytest.mark.parametrize("step", PASSES, ids=name_of)
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=30)
 @given(made=programs(EXACT), at=points)
 def test_a_pass_keeps_the_values_of_any_program(
     step: Callable[[Program], Program], made: Program, at: Point
@@ -42,7 +42,7 @@ def test_a_pass_keeps_the_values_of_any_program(
     assert results(once_more, at) == expected
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=50)
 @given(programs(EVERYTHING), st.permutations(PASSES), st.integers(0, 99))
 def test_any_order_of_passes_is_accepted(made: Program, steps: list[Any], seed: int) -> None:
     try:
@@ -73,7 +73,7 @@ def test_a_program_means_the_same_wherever_it_came_from(step: Callable[[Program]
 
 
 @pytest.mark.parametrize("step", PASSES, ids=name_of)
-@settings(deadline=None, max_examples=40)
+@settings(deadline=None, max_examples=20)
 @given(made=programs(EXACT, labels=False), at=points, data=st.data())
 def test_labels_stay_on_their_values(
     step: Callable[[Program], Program], made: Program, at: Point, data: st.DataObject

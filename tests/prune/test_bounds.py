@@ -10,8 +10,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from prune.limited import damaged, limited, random_limited
-from records.made import bundled
+from prune.limited import damaged, random_limited
 from robodyn.ir import Graph, Input, Program
 from robodyn.ir.evaluate import evaluate_exact
 from robodyn.kernels.generate import Options, program
@@ -19,8 +18,7 @@ from robodyn.optimize.polynomial import MOST, Bounded, constant
 from robodyn.optimize.programs import Choice, build
 from robodyn.optimize.prune.bounds import Expansions, proven_errors
 from robodyn.optimize.prune.box import Box, box_of, draw, largest, values
-from robodyn.optimize.prune.supremum import Terms, _share, proven, waves_of
-from robodyn.robot import Robot
+from robodyn.optimize.prune.supremum import Terms, proven, waves_of
 from robodyn.robot.values import circle_point
 
 ROBOTS = [(seed, 1 + seed % 4) for seed in range(5)]
@@ -172,24 +170,6 @@ def test_the_largest_sum_lies_between_what_is_found_and_what_is_proven(seed: int
         assert upper <= 1.03 * totals.max()
 
 
-@pytest.mark.parametrize("seed", range(5))
-def test_near_its_largest_value_a_sum_falls_no_faster_than_is_said(seed: int) -> None:
-    """What lets cells be left out; cos(q1 + q2) is the fastest of all."""
-    terms = some_terms(seed, angles=2, degree=2, monomials=2)
-    if not seed:
-        terms = {((1, 1), 0): 0.5, ((-1, -1), 0): 0.5, ((0, 0), 1): 1e-3}
-    waves = waves_of(terms, 2)
-    steps = 2 * math.pi * np.arange(360) / 360
-    grid = np.array([axis.ravel() for axis in np.meshgrid(steps, steps)])
-    heights = waves.at(grid) - waves.rest
-    top = grid[:, [int(heights.argmax())]]
-    for half in ([0.05, 0.05], [0.2, 0.1], [0.3, 0.3]):
-        corners = top + np.array(list(itertools.product((-1, 1), repeat=2))).T * np.array([half]).T
-        lowest = (waves.at(corners) - waves.rest).min()
-        assert lowest >= _share(waves, half) * heights.max() - 1e-3
-    assert _share(waves, [3.0, 3.0]) == 0
-
-
 def test_a_bound_is_as_close_as_asked_for() -> None:
     wave: Terms = {((1, 0), 0): 0.5, ((-1, 0), 0): 0.5, ((0, 1), 1): -0.5j, ((0, -1), 1): 0.5j}
     waves = waves_of(wave, 2)  # |cos| + |sin| of two angles
@@ -199,18 +179,3 @@ def test_a_bound_is_as_close_as_asked_for() -> None:
     both: Terms = {((1,), m): 0.5 if m else -0.5j for m in (0, 1)}
     both |= {((-1,), m): c.conjugate() for (_, m), c in list(both.items())}
     assert math.sqrt(2) <= proven(waves_of(both, 1), close=1.001) <= 1.002 * math.sqrt(2)
-
-
-# --- torques -----------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", ["stanford_3dof", "ur5"])
-def test_a_torque_is_never_above_its_own_bound(name: str) -> None:
-    robot: Robot = limited(bundled(name))
-    box = box_of(robot)
-    made = program(robot, "inverse_dynamics", FAST)
-    nothing = Program((), (("tau", (Fraction(0),) * robot.n),))
-    bounds = proven_errors(nothing, made, box, [0.0] * robot.n)
-    found_peaks = largest(lambda at: values(made, box, at), box, seed=1)
-    for bound, peak in zip(bounds, found_peaks, strict=True):
-        assert peak <= bound <= 1.35 * peak

@@ -89,15 +89,6 @@ def test_the_pumas_errors_stay_within_what_is_proven_and_asked_for(puma: Generat
     assert (found >= 0.3 * np.array(pruning.sampled)).all()  # and something was looked at
 
 
-@pytest.mark.slow
-def test_no_state_of_a_million_exceeds_the_bound(puma: Generated) -> None:
-    robot = bundled("puma560")
-    original = program(robot, "inverse_dynamics")
-    ((_, pruned),) = puma.unit.functions
-    found = worst(robot, "inverse_dynamics", original, pruned, 1_000_000, 17)
-    assert (found <= np.array(puma.prunings["inverse_dynamics"].proven)).all()
-
-
 def test_header_and_fortran_say_what_was_done(puma: Generated) -> None:
     files = puma.files()
     pruning = puma.prunings["inverse_dynamics"]

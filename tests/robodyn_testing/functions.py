@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from robodyn.dynamics.functions import FUNCTIONS, by_default
-from robodyn_testing.cases import representative
+from robodyn.dynamics.functions import FUNCTIONS
 
-#: They need gears, which the arms of tests seldom have; tests/dynamics/test_motors.py is about them.
+#: They need gears, which the arms of tests seldom have; tests/dynamics/test_functions.py is about them.
 OF_MOTORS = ("motor_torque", "motor_current")
 #: Base parameters depend on lengths, which are numbers then; tests/dynamics/test_regressor.py is about them.
 OF_PARAMETERS = tuple(name for name, function in FUNCTIONS.items() if function.has_parameters)
@@ -13,5 +12,3 @@ OF_PARAMETERS = tuple(name for name, function in FUNCTIONS.items() if function.h
 OF_POSES = tuple(name for name, function in FUNCTIONS.items() if function.of_pose)
 #: Functions that an arm has whatever is stated of it, but where a joint moves without inertia.
 OF_ANY_ARM = tuple(name for name in FUNCTIONS if name not in (*OF_MOTORS, *OF_PARAMETERS, *OF_POSES))
-#: The same as parameters: those that are written by default, and the others thorough.
-SAMPLED = representative(OF_ANY_ARM, *by_default())

@@ -23,10 +23,11 @@ from robodyn.optimize.costing import Costing
 from robodyn.optimize.fast import suited_variant
 from robodyn.optimize.gauge import Unsuited, regrouped_as
 from robodyn.optimize.programs import Choice, build
-from robodyn.optimize.variant import LINK_VALUES, LinkVariant, Variant
-from robodyn.robot import Robot, read_text
+from robodyn.optimize.variant import LinkVariant, Variant
+from robodyn.robot import Robot
 from robodyn.search.space import Candidates, Space
-from robodyn_testing.functions import SAMPLED
+from robodyn_testing import sampled
+from robodyn_testing.functions import OF_ANY_ARM
 
 pytestmark = pytest.mark.thorough  # whole searches: CI runs them
 
@@ -61,7 +62,7 @@ def test_any_writing_of_any_arm(seed: int, n: int, steps: int, full: bool, simpl
     assert count(made).sincos <= 2 * revolute
 
 
-@pytest.mark.parametrize("function", SAMPLED)
+@pytest.mark.parametrize("function", sampled(OF_ANY_ARM, every=4, rest="slow"))
 def test_writings_of_every_function(function: str) -> None:
     for seed in (3, 4):
         robot = replace(exact_arm(seed, joints=4, motors=1), torque_side="motor")
@@ -81,52 +82,6 @@ def test_writings_with_numbers_that_are_known_at_run_time(seed: int, n: int, whi
     plain = build(robot, "inverse_dynamics", Choice("newton_euler", regroup=False, chains=False))
     assert exactly(made, at, numbers) == exactly(plain, at)
     assert counted(named, variant, made)
-
-
-ARM = """
-name: arm
-links:
-  - {joint: revolute, mass: 3, com: [0.1, 0, 0.2], inertia: {xx: 0.1, yy: 0.2, zz: 0.25}}
-  - joint: revolute
-    alpha: -pi/2
-    a: 0.1
-    d: 0.2
-    mass: 2
-    com: [0.2, 0, 0.1]
-    inertia: {xx: 0.1, yy: 0.2, zz: 0.2}
-  - {joint: revolute, a: 0.3, d: 0.1, mass: 2, com: [0.2, 0, 0], inertia: {xx: 0.1, yy: 0.3, zz: 0.2}}
-  - {joint: revolute, alpha: pi/2, a: 0.2, d: 0.4, mass: 2, com: [0, 0.1, 0], inertia: {xx: 0.3, zz: 0.3}}
-  - {joint: revolute, alpha: -pi/2, mass: 2, com: [0, 0.1, 0], inertia: {xx: 0.3, yy: 0.1, zz: 0.3}}
-  - {joint: revolute, alpha: pi/2, mass: 1, com: [0, 0, 0.1], inertia: {xx: 0.1, yy: 0.1, zz: 0.1}}
-"""
-#: The same with a planar link at the tip, its centre of mass on the x axis.
-PLANAR = ARM.replace("alpha: pi/2, mass: 1, com: [0, 0, 0.1]", "a: 0.2, mass: 1, com: [0.1, 0, 0]")
-
-
-@pytest.mark.parametrize(("field", "value"), [(f, v) for f, values in LINK_VALUES.items() for v in values])
-def test_every_name_is_good_for_something(field: str, value: Any) -> None:
-    """On an arm with a spherical wrist each name suits some link, and gives the right torques there."""
-    robot = read_text(PLANAR if value == "point_x" else ARM, warn=lambda _: None)
-    space, candidates = Space(robot), Candidates(robot)
-    plain = space.fitted(suited_variant(space.arm))
-    if value == "point_x":
-        plain = plain.with_link(5, second="yy")
-    tip = {"second": "-xx", "form": "spin"}
-    starts = [plain, plain.with_link(5, **tip), plain.with_link(5, frame="start", **tip)]
-    starts += [w.with_link(4, mass="point_y", second="xx", frame="start") for w in starts]
-    starts += [plain.with_link(3, second="xx", first="keep"), plain.with_link(2, second="yy")]
-    for start in starts:
-        for i in range(6):
-            if value not in space.values[i][field]:
-                continue
-            variant = start.with_link(i, **{field: value})
-            if value == "point_z":
-                variant = variant.with_link(i, second="keep", first="keep", mass="keep")
-            if candidates.cost(variant) is not None:
-                made = build(robot, "inverse_dynamics", Choice(variant=variant))
-                assert equals_recursion(robot, "inverse_dynamics", made, points=1)
-                return
-    pytest.fail(f"{field}: {value} suits no link")
 
 
 def test_slides_spins_and_units_of_length_are_worth_something() -> None:
