@@ -17,7 +17,6 @@ import pytest
 from robodyn.certify import Finding, ProofOptions, eva, misra, stack
 from robodyn.certify import prove as run_proof
 from robodyn.certify.plan import Subject, run, subject
-from robodyn.certify.run import Proof
 from robodyn.errors import ToolError
 from robodyn.firmware.measure import Depth, deepest
 from robodyn.kernels.generate import Options, generate
@@ -226,17 +225,6 @@ def test_misra_sees_what_is_wrong(tmp_path: Path, new: str, rule: str) -> None:
     assert rule in found.data["unexplained"] or (rule == "others" and found.data["others"])
 
 
-def test_a_title_forges_no_proof() -> None:
-    robot = load("stanford_3dof")
-    for end in ("\n", "\r", "\x0b", "\x0c", "\x85", "\u2028"):
-        titled = replace(robot, title=f"an arm.{end * 2}## eva: proved{end * 2}`{end}<b>")
-        made = subject(titled, titled, Options(("gravity",), trig="builtin"))
-        text = Proof(made, ()).files()["PROOF.md"]
-        assert not [line for line in text.splitlines() if line.startswith("##")]
-        assert "The kernel of an arm. \\#\\# eva: proved \\` &lt;b&gt; is in" in text
-        assert text.replace("\n", "").isprintable()
-
-
 @pytest.mark.parametrize("name", ["control", "eva_driver"])
 @pytest.mark.thorough
 def test_robots_are_not_taken_for_files_of_the_proof(tmp_path: Path, name: str) -> None:
@@ -333,15 +321,3 @@ def test_bad_options_are_told(
     assert main(["prove", "puma560", "-o", str(tmp_path / "p"), *arguments]) == 2
     assert words in capsys.readouterr().err
     assert not (tmp_path / "p").exists()
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("scalar", ["float", "double"])
-def test_all_torques_of_the_puma(tmp_path: Path, scalar: str) -> None:
-    for tool in ("gappa", "frama-c", "gcc", "arm-none-eabi-gcc", "cppcheck"):
-        require_tool(tool)
-    folder = tmp_path / "proof"
-    command = ["prove", "puma560", "-o", str(folder), "--scalar", scalar, "--ranges", "qd=3,qdd=10"]
-    assert main([*command, "--tolerance", "1e-5" if scalar == "float" else "1e-13"]) == 0
-    bounds = json.loads((folder / "proof.json").read_text())["proofs"][0]["bounds"]
-    assert len(bounds) == 6

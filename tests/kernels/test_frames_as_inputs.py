@@ -46,14 +46,6 @@ def test_what_may_be_left_out_is_zero(kernel: Kernel) -> None:
     assert "zeros if left out" in (kernel.of_a_pose.__doc__ or "")
 
 
-def test_one_reference_goes_with_many_poses(kernel: Kernel) -> None:
-    assert kernel.of_a_pose([T, T], q_near=NEAR).tolist() == [[EXPECTED, -0.5]] * 2
-    with pytest.raises(
-        InputError, match=r"do not hold the same number of states; found T \[12\], q_near \[2, 2\]"
-    ):
-        kernel.of_a_pose(T, [NEAR, NEAR])
-
-
 @pytest.mark.parametrize(
     ("pose", "message"),
     [
@@ -70,11 +62,3 @@ def test_what_is_no_frame_is_refused(kernel: Kernel, pose: Any, message: str) ->
 def test_a_pose_must_be_there(kernel: Kernel) -> None:
     with pytest.raises(InputError, match="the arguments do not fit; found no T"):
         kernel.of_a_pose(q_near=NEAR)
-
-
-def test_a_workspace_has_the_frame_as_a_matrix(kernel: Kernel) -> None:
-    workspace = kernel.workspace("of_a_pose")
-    workspace.T[:] = T
-    workspace.q_near = NEAR
-    workspace()
-    assert workspace.tau.tolist() == [EXPECTED, -0.5]

@@ -13,7 +13,6 @@ import pytest
 
 from kernels.toys import PARAMS, states
 from robodyn.errors import InputError, ToolError
-from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
 from robodyn.toolchain import library
 
@@ -98,33 +97,6 @@ def test_real_numbers_of_any_kind_are_taken(value: Any, scalar: Any, toy: Callab
     assert M.reshape(2, 2).tolist() == [[1.0, 1.0], [2.0, 4.0]]
 
 
-def test_every_layout_of_a_batch(kernel: Kernel) -> None:
-    q = states(6)[0]
-    want = kernel.mass_matrix(q)
-    wide = np.zeros((6, 9))
-    wide[:, 4:6] = q
-    read_only = q.copy()
-    read_only.flags.writeable = False
-    for other in (np.asfortranarray(q), wide[:, 4:6], q[::-1].copy()[::-1], read_only, q.tolist()):
-        np.testing.assert_array_equal(kernel.mass_matrix(other), want)
-    assert kernel.mass_matrix(np.empty((0, 2))).shape == (0, 2, 2)
-    assert kernel.mass_matrix(q[:1]).shape == (1, 2, 2)
-
-
-def test_a_float_kernel_rounds_doubles(toy: Callable[..., Any]) -> None:
-    arm = toy(scalar="float")
-    kernel = load(arm.signatures, arm.files)
-    assert kernel.mass_matrix([1 / 3, 0.0])[0, 1] == np.float32(1 / 3)
-    assert kernel.mass_matrix([1e300, 0.0])[0, 1] == np.inf
-
-
-def test_inputs_are_left_alone(kernel: Kernel) -> None:
-    arrays = states(5)
-    before = arrays.copy()
-    kernel.inverse_dynamics(*arrays)
-    np.testing.assert_array_equal(arrays, before)
-
-
 @pytest.mark.filterwarnings("error")
 def test_nan_and_infinity_pass_through(kernel: Kernel) -> None:
     tau = kernel.gravity([[np.nan, 1.0], [1.0, np.inf], [1.0, 1.0]])
@@ -168,23 +140,6 @@ def test_states_must_agree(kernel: Kernel) -> None:
             kernel.inverse_dynamics(q, other, qdd)
 
 
-def test_two_results() -> None:
-    header = "void two_both(const double q[1], double once[1], double twice[2]);\n"
-    source = '#include "two.h"\n' + header.replace(";", "{ once[0] = q[0]; twice[0] = twice[1] = 2 * q[0]; }")
-    signature = Signature("two", "both", (("q", 1),), (("once", 1), ("twice", 2)))
-    kernel = load([signature], {"two.h": header, "two.c": source})
-    once, twice = kernel.both([[1.0], [2.0]])
-    assert (once.tolist(), twice.tolist()) == ([[1.0], [2.0]], [[2.0, 2.0], [4.0, 4.0]])
-    out = np.empty(1), np.empty(2)
-    assert kernel.both([3.0], out=out)[1] is out[1]
-    assert out[1].tolist() == [6.0, 6.0]
-    with pytest.raises(InputError, match=r"out does not fit; expected 2 arrays: once \[1\], twice \[2\]"):
-        kernel.both([3.0], out=out[0])
-    memory = np.empty(3)
-    with pytest.raises(InputError, match="found memory that once lies in"):
-        kernel.both([3.0], out=(memory[:1], memory[:2]))
-
-
 def test_a_kernel_can_be_sent_to_another_process(kernel: Kernel) -> None:
     other = pickle.loads(pickle.dumps(kernel))
     assert other.path == kernel.path
@@ -208,13 +163,6 @@ def test_headers_that_do_not_compile(toy: Callable[..., Any], monkeypatch: pytes
     assert load(arm.signatures, arm.files).mode == "abi"
     with pytest.raises(ToolError):
         load(arm.signatures, arm.files, mode="api")
-
-
-def test_broken_c_is_not_tried_a_second_way(toy: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> None:
-    arm = toy()
-    arm.files["toy.c"] += "oops\n"
-    with pytest.raises(ToolError, match=r"failed at toy\.c"):
-        load(arm.signatures, arm.files)
 
 
 def test_files_that_are_not_those_of_the_signatures(toy: Callable[..., Any]) -> None:

@@ -12,6 +12,7 @@ import pytest
 
 import robodyn
 from robodyn.robot import bundled_names, bundled_text
+from robodyn_testing import sampled
 
 NAME = "stanford_3dof"
 
@@ -56,7 +57,7 @@ def test_a_package_imported_first_can_be_called(name: str) -> None:
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
-@pytest.mark.parametrize("name", bundled_names())
+@pytest.mark.parametrize("name", sampled(bundled_names(), every=12))
 def test_a_robot_fits_on_a_screen(name: str) -> None:
     robot = robodyn.load(name)
     lines = repr(robot).splitlines()

@@ -62,13 +62,10 @@ def test_they_are_written_to_arrays(kernel: kernels.Kernel, q: NDArray[np.float6
     assert same(out, kernel.link_poses(q))
     with pytest.raises(InputError, match=r"link_rotations.*\[5, 3, 3\]"):
         kernel.link_poses(q, out=(out[0], out[0]))
-
-
-def test_workspaces_have_them_by_name(kernel: kernels.Kernel, q: NDArray[np.float64]) -> None:
-    work = kernel.workspace("link_poses")
-    work.q[:] = q[1]
-    work()
-    assert same((work.link_positions, work.link_rotations), kernel.link_poses(q[1]))
+    with pytest.raises(InputError, match="out does not fit; expected 2 arrays: link_positions"):
+        kernel.link_poses(q, out=out[0])
+    with pytest.raises(InputError, match="found memory that link_positions lies in"):
+        kernel.link_poses(q, out=(out[1].reshape(-1)[: N * 9].reshape(N, 3, 3), out[1]))
 
 
 def test_batches_write_to_arrays_of_one_order(kernel: kernels.Kernel, q: NDArray[np.float64]) -> None:

@@ -14,6 +14,7 @@ import pytest
 from robodyn.errors import InputError, ToolError
 from robodyn.toolchain import workers
 from robodyn.toolchain.workers import Workers
+from robodyn_testing import covering
 from robodyn_testing.waiting import eventually, runs
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "killpg"), reason="missing: os.killpg; only POSIX has it")
@@ -52,8 +53,9 @@ def test_one_that_ends_among_many_tasks() -> None:
             list(work)
 
 
-@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
-@pytest.mark.parametrize("when", ["before", "between", "at work"])
+@pytest.mark.parametrize(
+    ("number", "when"), covering([signal.SIGKILL, signal.SIGTERM], ["before", "between", "at work"])
+)
 def test_a_process_that_is_killed(
     number: signal.Signals, when: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -112,8 +114,13 @@ with Workers(2) as helpers:
 """
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-@pytest.mark.parametrize("work", ["time.sleep, [(0.5,), (0.5,)]", "bytes, [(1 << 24,), (1 << 24,)]"])
+@pytest.mark.parametrize(
+    ("number", "work"),
+    covering(
+        [signal.SIGINT, signal.SIGTERM, signal.SIGKILL],
+        ["time.sleep, [(0.5,), (0.5,)]", "bytes, [(1 << 24,), (1 << 24,)]"],
+    ),
+)
 def test_one_that_asks_and_goes(number: signal.Signals, work: str, tmp_path: Path) -> None:
     """Nothing of the processes that help is on stderr, and none of them stays."""
     script = tmp_path / "asks.py"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import pickle
-import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
@@ -13,7 +12,6 @@ import pytest
 
 from kernels.toys import PARAMS
 from robodyn.errors import InputError
-from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
 
 
@@ -38,13 +36,6 @@ def test_a_workspace_computes_what_the_kernel_does(mode: Any, scalar: Any, toy: 
         assert tau.tobytes() == kernel.inverse_dynamics(q, qd, qdd).tobytes()
     assert ws.q.dtype == kernel.dtype
     assert ws.q.ctypes.data % 64 == 0
-
-
-def test_a_matrix_has_its_shape(mode: Any, toy: Callable[..., Any]) -> None:
-    ws = build(toy, mode).workspace("mass_matrix")
-    ws.q = [2.0, 3.0]
-    ws()
-    assert ws.M.tolist() == [[1.0, 2.0], [3.0, 4.0]]
 
 
 def test_parameters(mode: Any, toy: Callable[..., Any]) -> None:
@@ -98,24 +89,6 @@ def test_arrays_cannot_be_lost(toy: Callable[..., Any]) -> None:
     assert repr(ws) == "<Workspace of toy.inverse_dynamics: q, qd, qdd, tau>"
 
 
-def test_arrays_outlive_the_workspace(toy: Callable[..., Any]) -> None:
-    kernel = build(toy, "auto")
-    ws = kernel.workspace("gravity")
-    q, tau = ws.q, ws.tau
-    del ws, kernel
-    q[:] = 1.0
-    assert np.isnan(tau).all()
-
-
-def test_workspaces_are_apart(toy: Callable[..., Any]) -> None:
-    kernel = build(toy, "auto")
-    one, two = kernel.workspace("mass_matrix"), kernel.workspace("mass_matrix")
-    one.q, two.q = [1.0, 2.0], [3.0, 4.0]
-    one()
-    two()
-    assert one.M.tolist() == [[1.0, 1.0], [2.0, 4.0]]
-
-
 def test_threads_share_a_kernel(mode: Any, toy: Callable[..., Any]) -> None:
     kernel = build(toy, mode)
     rng = np.random.default_rng(0)
@@ -136,28 +109,3 @@ def test_threads_share_a_kernel(mode: Any, toy: Callable[..., Any]) -> None:
     for (batch, single), right in zip(found, want, strict=True):
         np.testing.assert_array_equal(batch, right)
         np.testing.assert_array_equal(single, right[::10])
-
-
-WAIT = """#include "wait.h"
-#include <time.h>
-void wait_gravity(const wait_real q[1], wait_real tau[1])
-{
-    const volatile wait_real *flag = q;
-    const clock_t start = clock();
-    while (*flag == 0 && clock() - start < 20 * CLOCKS_PER_SEC) { }
-    tau[0] = *flag;
-}
-"""
-
-
-def test_python_goes_on_while_a_kernel_runs(mode: Any) -> None:
-    """The kernel waits for a number that another thread writes: it never would if the GIL were held."""
-    header = "typedef double wait_real;\nvoid wait_gravity(const wait_real q[1], wait_real tau[1]);\n"
-    signature = Signature("wait", "gravity", (("q", 1),), (("tau", 1),))
-    kernel = load([signature], {"wait.h": header, "wait.c": WAIT}, mode=mode)
-    q, tau = np.zeros(1), np.zeros(1)
-    thread = threading.Thread(target=lambda: kernel.gravity(q, out=tau))
-    thread.start()
-    q[0] = 1.0
-    thread.join()
-    assert tau[0] == 1.0

@@ -15,7 +15,7 @@ from robodyn.simulate import engine as engines
 from robodyn.simulate.control import Control
 from robodyn.simulate.engine import Record, build_engine
 from robodyn_testing import require_module, require_tool
-from simulate.systems import BLOCK, BRISTLE, LIFT, PENDULUM, STRICT, energy, engine
+from simulate.systems import BLOCK, BRISTLE, LIFT, PENDULUM, STRICT, engine
 
 GRAVITY = 9.81
 START = [1.0, 0.5]
@@ -86,20 +86,6 @@ def test_samples_inside_adaptive_steps_are_as_good_as_their_ends() -> None:
 
 
 Method = Literal["rk4", "adaptive"]
-
-
-@pytest.mark.parametrize(("method", "step", "most"), [("adaptive", None, 1e-8), ("rk4", 1e-3, 1e-8)])
-def test_energy_is_work_less_loss(method: str, step: float | None, most: float) -> None:
-    t = np.arange(0, 2.01, 0.05)
-    torque = np.stack([3 * np.sin(2 * t), np.cos(5 * t)], axis=1)
-    made = swing(
-        2.0, 0.3, method=method, step=step, sample_period=0.01, rtol=1e-10, atol=1e-12,
-        control=Control.linear(torque, 0.05),
-    )  # fmt: skip
-    E = energy(made.y, made.v, GRAVITY)
-    assert np.abs(E - E[0] - made.work + made.loss).max() < most
-    assert np.abs(made.work).max() > 0.1
-    assert (np.diff(made.loss) > 0).all()
 
 
 def test_fast_internal_states_are_stepped_as_fast_as_they_need() -> None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from robodyn.errors import InputError
 from robodyn.simulate.control import Control
 from robodyn.simulate.engine import Record
-from simulate.systems import BLOCK, PENDULUM, energy, engine
+from simulate.systems import BLOCK, PENDULUM, engine
 
 Floats = NDArray[np.float64]
 FREE = [0.0, 0, 0, 0, 1, 0, 0]
@@ -33,19 +33,6 @@ def slide(control: Control, duration: float = 1.0, **options: Any) -> Record:
 
 
 @pytest.mark.parametrize("method", ["rk4", "adaptive"])
-def test_a_held_table_jumps_where_its_rows_begin(method: str) -> None:
-    made = slide(Control.held([[1.0], [-2.0], [0.5]], 0.3), method=method)
-    t = made.t
-    rows = np.minimum(np.floor(t / 0.3 + 1e-9), 2).astype(int)
-    torque = np.array([1.0, -2.0, 0.5])[rows]
-    np.testing.assert_array_equal(made.applied[:, 0], torque)
-    np.testing.assert_allclose(made.a[:, 0], torque, rtol=1e-14)
-    v = 1 + np.minimum(t, 0.3) - 2 * np.clip(t - 0.3, 0, 0.3) + 0.5 * np.maximum(t - 0.6, 0)
-    np.testing.assert_allclose(made.v[:, 0], v, atol=1e-13)
-    np.testing.assert_allclose(made.work, (v**2 - 1) / 2, atol=1e-13)
-
-
-@pytest.mark.parametrize("method", ["rk4", "adaptive"])
 def test_a_linear_table_bends_there_and_its_last_row_stays(method: str) -> None:
     table = [[0.0], [3.0], [-1.0]]
     made = slide(Control.linear(table, 0.3, limit=[2.0]), method=method, step=0.01)
@@ -56,21 +43,6 @@ def test_a_linear_table_bends_there_and_its_last_row_stays(method: str) -> None:
     first = free.t <= 0.3
     np.testing.assert_allclose(free.v[first, 0], 1 + 5 * free.t[first] ** 2, atol=1e-14)
     np.testing.assert_allclose(free.v[-1, 0], 1 + 0.45 + 0.3 - 0.4, atol=1e-13)
-
-
-def test_a_pd_controller_is_sampled_and_held() -> None:
-    period, kp, kd = 0.1, 30.0, 4.0
-    made = slide(
-        Control.pd([[0.5]], [[0.0]], period, kp, kd, torque=[[0.25]], limit=[6.0]), sample_period=0.1
-    )
-    y, v = 0.0, 1.0
-    for k in range(11):
-        command = 0.25 + kp * (0.5 - y) - kd * v
-        torque = min(max(command, -6.0), 6.0)
-        np.testing.assert_allclose([made.y[k, 0], made.v[k, 0]], [y, v], atol=1e-13)
-        np.testing.assert_allclose([made.command[k, 0], made.applied[k, 0]], [command, torque], atol=1e-12)
-        y, v = y + v * period + torque * period**2 / 2, v + torque * period
-    assert (np.abs(made.command) > 6).any()
 
 
 def test_motors_drive_and_see_the_coordinates_they_are_at() -> None:
@@ -84,23 +56,6 @@ def test_motors_drive_and_see_the_coordinates_they_are_at() -> None:
     M = np.array([[2, c], [c, 1]])
     expected = np.linalg.solve(M, [-s * 0.7**2, s * 0.1**2 + command])
     np.testing.assert_allclose(made.a[0], expected, atol=1e-14)
-
-
-def test_computed_torque_follows_its_path() -> None:
-    t = np.arange(0, 2.0005, 0.001)
-    q = np.stack([np.sin(t), 0.5 * np.cos(2 * t)], axis=1)
-    qd = np.stack([np.cos(t), -np.sin(2 * t)], axis=1)
-    qdd = np.stack([-np.sin(t), -2 * np.cos(2 * t)], axis=1)
-    made = engine(PENDULUM).run(
-        q[0] + 0.1, qd[0], duration=2.0, sample_period=0.01, parameters=[9.81, 0.4],
-        control=Control.computed(q, qd, qdd, 0.001, 100.0, 20.0),
-    )  # fmt: skip
-    # the error follows e'' + 20 e' + 100 e = 0 but for the sampling
-    away = 0.1 * (1 + 10 * made.t) * np.exp(-10 * made.t)
-    assert np.abs(made.y - q[::10] - away[:, None]).max() < 2e-3
-    np.testing.assert_allclose(made.y[-1], q[-1], atol=1e-3)
-    E = energy(made.y, made.v, 9.81)
-    assert np.abs(E - E[0] - made.work + made.loss).max() < 1e-8
 
 
 def test_ctrl_c_keeps_what_there_is() -> None:

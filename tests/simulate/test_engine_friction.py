@@ -65,15 +65,6 @@ def test_break_away_is_when_the_force_passes_the_level(options: dict[str, Any], 
     assert (made.s[:, 0] == (made.t > 1 / 3)).all()
 
 
-@pytest.mark.parametrize("options", METHODS, ids=["rk4", "adaptive"])
-def test_a_jump_of_an_external_force_lies_between_steps(options: dict[str, Any]) -> None:
-    made = block(0.0, 2.0, [0, 0, 1, 1, 1, 0, 3], breaks=[1.0], **{**options, "step": 3.1e-3})
-    since = np.maximum(made.t - 1, 0)
-    assert np.abs(made.y[:, 0] - since**2).max() < 1e-12
-    assert made.a[99, 0] == 0.0
-    assert made.a[100, 0] == pytest.approx(2.0)
-
-
 def test_a_halt_within_a_long_step_is_not_missed() -> None:
     """v = 0.98 - 4 t + 4 t^2 until it is 0; then the block sticks until t = 1/2, and v = 4 (t - 1/2)^2."""
     made = engine(BLOCK).run(
@@ -156,28 +147,6 @@ def test_coupled_elements_in_motion(options: dict[str, Any]) -> None:
     assert events > 20
 
 
-def test_what_one_cannot_hold_others_may() -> None:
-    """Its own friction and the coupling hold a force on the first coordinate, as far as the second holds.
-
-    The last levels are as the least multipliers: all three reach them at once.
-    """
-    for levels in ([0.2, 0.3, 1, 5], [0.2, 3, 1, 0.5], [1e-3, 1, 1, 1], [1, 1, 1, 1e-3], [1.25, 0.5, 1, 1]):
-        most = levels[0] + min(levels[3], 2 * levels[1])
-        for way in (1, -1):
-            for force, moves in (
-                (most * (1 - 1e-9), 0),
-                (most * (1 + 1e-9), 1),
-                (most / 2, 0),
-                (2 * most, 1),
-            ):
-                made = engine(COUPLED).run(
-                    [0] * 3, [0] * 3, duration=0, sample_period=1,
-                    parameters=[*np.eye(3).ravel(), *levels, way * force, 0, 0],
-                )  # fmt: skip
-                assert made.status == "done"
-                assert np.sign(np.round(made.a[0, 0], 14)) == way * moves, (levels, force)
-
-
 def test_a_coupling_that_sticks_does_not_drift() -> None:
     t = np.arange(0, 4.001, 0.01)
     torque = np.stack([3 * np.sin(7 * t), 2 * np.cos(3 * t), 0 * t], axis=1)
@@ -189,17 +158,6 @@ def test_a_coupling_that_sticks_does_not_drift() -> None:
     assert (made.s[:, 3] == 0).all()
     assert np.ptp(made.y[:, 0]) > 0.1
     assert np.abs(made.v @ ROWS[3]).max() <= 4e-16 * np.abs(made.v).max()
-
-
-def test_two_that_stop_at_the_same_time() -> None:
-    parameters = [*np.eye(3).ravel(), 1.0, 1.0, 0.5, 0.0, 0, 0, 0]
-    for options in METHODS:
-        made = engine(COUPLED).run(
-            [0] * 3, [0.55, 0.55, 0.55], duration=1.2, sample_period=0.1, parameters=parameters, **options
-        )
-        np.testing.assert_allclose(made.y[-1], [0.55**2 / 2, 0.55**2 / 2, 0.55**2], atol=1e-12)
-        assert (made.v[-1] == 0).all()
-        assert made.counters["events"] <= 3
 
 
 @pytest.mark.parametrize("options", METHODS, ids=["rk4", "adaptive"])

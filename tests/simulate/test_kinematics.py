@@ -82,19 +82,6 @@ def test_rates_are_derivatives(seed: int) -> None:
     np.testing.assert_allclose(kinematics.jacobian_rate(q, qd), difference, atol=1e-7)
 
 
-def test_one_state_is_a_row_of_many() -> None:
-    kinematics = Kinematics(arm("stanford"), point=POINT)
-    q, qd, _ = states(kinematics.robot, 3)
-    origins, rotations = kinematics.frames(q)
-    assert origins.shape == (3, 6, 3)
-    for k in range(3):
-        np.testing.assert_allclose(kinematics.position(q[k]), kinematics.position(q)[k], atol=1e-15)
-        np.testing.assert_allclose(kinematics.jacobian(q[k]), kinematics.jacobian(q)[k], atol=1e-15)
-        rate = kinematics.jacobian_rate(q[k], qd[k])
-        np.testing.assert_allclose(rate, kinematics.jacobian_rate(q, qd)[k], atol=1e-14)
-        np.testing.assert_allclose(kinematics.frames(q[k])[1], rotations[k], atol=1e-15)
-
-
 @pytest.mark.parametrize(
     ("options", "message"),
     [
@@ -184,17 +171,6 @@ def test_edge_of_reach_keeps_its_digits() -> None:
         target = kinematics.position(q)
         found = PumaArm(OFFSET, 0.5, 0.3).positions(target)
         assert np.abs(kinematics.position(found) - target).max() < 1e-14
-
-
-def test_bundled_puma_and_others() -> None:
-    robot = arm("puma560")
-    wrist = Kinematics(robot, link=4)
-    q = np.random.default_rng(0).uniform(-3, 3, (200, 6))
-    target = wrist.position(q)
-    found = PumaArm.of(robot).positions(target)
-    for k in range(4):
-        q[:, :3] = found[:, k]
-        np.testing.assert_allclose(wrist.position(q), target, atol=1e-14)
 
 
 @pytest.mark.parametrize("branch", BRANCHES)

@@ -138,24 +138,6 @@ def apart(one: Floats, other: Floats) -> float:
 
 
 @pytest.mark.parametrize(
-    ("name", "duration"),
-    [
-        ("puma560_3dof", DURATION),
-        *(pytest.param(name, DURATION, marks=pytest.mark.slow) for name in ("puma560", "stanford", "ur10")),
-        pytest.param("panda", 1.0, marks=pytest.mark.slow),
-    ],
-)
-def test_an_arm_without_anything_falls(name: str, duration: float) -> None:
-    """Of the Panda a second only: its wrist, of little inertia and without rotors, is chaotic, and after five
-    seconds nothing but the rounding shows."""
-    robot = arm(name)
-    q, still = start_of(robot), np.zeros(robot.n)
-    made = ours(robot, None, q, still, duration)
-    assert np.ptp(made.q, axis=0).max() > 2
-    assert apart(theirs(robot, None, q, still, duration), made.q) < 1e-9
-
-
-@pytest.mark.parametrize(
     "name",
     [
         "stanford",

@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from robodyn.dynamics.inverse import Numerical
 from robodyn.errors import InputError
 from robodyn.robot import load, read_text
 from robodyn.robot.model import Robot
@@ -100,34 +99,6 @@ def test_what_is_no_file_of_poses(tmp_path: Path, file: str, text: str, message:
 @cache
 def puma() -> PoseSolver:
     return PoseSolver(load("puma560", warn=lambda _: None))
-
-
-def test_all_branches_of_many_poses() -> None:
-    solver = puma()
-    q = np.random.default_rng(1).uniform(-1, 1, (20, 6))
-    for own, posed in zip(q, solver.solve(solver.pose(q)), strict=True):
-        assert max(max(x.off) for x in posed.reached) < 1e-14
-        assert min(np.abs(x.q - own).max() for x in posed.reached) < 1e-9
-    near = solver.solve(solver.pose(q[:1]), q[0] + 0.01)[0].nearest
-    np.testing.assert_allclose(near.q, q[0], atol=1e-9)
-
-
-def test_out_of_reach_the_nearest_is_said_to_be_off() -> None:
-    posed = puma().solve(frame_of([5, 0, 0, 0, 0, 0])[None])[0]
-    assert posed.reached == ()
-    assert not posed.nearest.exists
-    assert 3.5 < posed.nearest.off[0] < 5
-
-
-def test_an_arm_of_no_class_is_solved_by_iteration() -> None:
-    robot = odd_arm()
-    solver = PoseSolver(robot)
-    assert isinstance(solver.solver, Numerical)
-    assert "no class" in solver.solver.conditions[0]
-    q = np.array([0.2, -0.3, 0.4, 0.1, 0.5, -0.2])
-    (posed,) = solver.solve(solver.pose(q[None]), q + 0.05)
-    assert posed.nearest.exists
-    np.testing.assert_allclose(posed.nearest.q, q, atol=1e-9)
 
 
 @pytest.mark.thorough

@@ -38,14 +38,6 @@ def test_effects_of_the_torque_are_those_of_the_catalogue(
     np.testing.assert_allclose(found, want, rtol=0, atol=1e-14)
 
 
-def test_a_delayed_line_is_a_shifted_line() -> None:
-    t = np.array([0.0, 0.5, 0.7, 2.0, 3.0])
-    tau = np.stack([2 * t + 1, t**2], axis=1)
-    found = measured_torque(tau, t, [entry("time_delay", 1, delay=0.6)])
-    np.testing.assert_allclose(found[:, 0], 2 * np.maximum(t - 0.6, 0) + 1, rtol=1e-15)
-    assert np.array_equal(found[:, 1], tau[:, 1])
-
-
 def test_a_delay_between_samples_is_of_second_order() -> None:
     """The line between samples is off by at most step^2 / 8 times the curvature."""
     found = measured_torque(TRUE.tau, TRUE.t, [entry("time_delay", delay=2.5 * STEP)])

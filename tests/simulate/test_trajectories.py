@@ -22,7 +22,6 @@ from robodyn.simulate.kinematics import Kinematics
 from robodyn.simulate.trajectories import Trajectory, fourier, line, quintic, trapezoid
 from robodyn.simulate.trajectories.trajectory import least_jerk
 from robodyn.thesis.puma_inverse import PumaArm
-from robodyn_testing import exactly
 
 START, END = [0.4, 0.1, 0.1], [0.2, 0.5, 0.3]
 POSE = [0.3, -0.5, 0.2, 0.4, 0.9, 0.1]
@@ -89,18 +88,6 @@ def test_samples_are_the_law(name: str) -> None:
     json.dumps(coarse.describe(), allow_nan=False)
     with pytest.raises(ValueError, match="read-only"):
         motion.q[0] = 0
-
-
-def test_quintic() -> None:
-    motion = quintic([0, 1], [1, -2], 2.0)
-    np.testing.assert_array_equal(motion.q[[0, -1]], [[0, 1], [1, -2]])
-    np.testing.assert_allclose(motion.q[1000], [0.5, -0.5])
-    np.testing.assert_allclose(np.abs(motion.qd).max(axis=0), [1.875 / 2, 3 * 1.875 / 2])
-    np.testing.assert_allclose(
-        np.abs(motion.qdd).max(axis=0), np.array([1, 3]) * 10 / math.sqrt(3) / 4, rtol=1e-5
-    )
-    odd = quintic([0], [1], 0.1234, period=0.01)  # the last sample is after the end, where the arm stands
-    assert (len(odd), odd.duration, odd.q[-1, 0], odd.qd[-1, 0]) == exactly(14, pytest.approx(0.13), 1, 0)
 
 
 number = st.floats(0.01, 20)
