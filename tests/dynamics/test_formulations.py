@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from fractions import Fraction
 
 import pytest
@@ -11,11 +12,12 @@ from hypothesis import strategies as st
 from dynamics.direct import NO_SHRINKING, Recorder, State, exact_arm
 from ir.programs import Point, every_value
 from robodyn import load, program
+from robodyn.dynamics.arm import Symmetric
 from robodyn.dynamics.functions import function_named
-from robodyn.dynamics.lump import MomentForm
+from robodyn.dynamics.lump import Lump, MomentForm
 from robodyn.dynamics.modified_newton_euler import modified_newton_euler
 from robodyn.dynamics.newton_euler import newton_euler
-from robodyn.dynamics.regroup import regrouped
+from robodyn.dynamics.regroup import about_axis_x, moved_into, regrouped, shifted
 from robodyn.errors import InputError
 from robodyn.ir import Input
 from robodyn.ir.evaluate import angle_form, evaluate_exact
@@ -98,6 +100,21 @@ def test_regrouping_leaves_nothing_that_could_move() -> None:
                     assert (k.zz if form == "second_moment" else lump.inertia().yy) == 0
                 else:
                     assert k.entries() == (0,) * 6
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_moments_moved_in_whole_numbers_are_those_in_fractions(seed: int) -> None:
+    chance = random.Random(seed)
+    m, x, y, z, *second, p0, p1, p2 = (
+        chance.choice(
+            (0, chance.randrange(-3, 4), Fraction(chance.randrange(-99, 99), chance.randrange(1, 999)))
+        )
+        for _ in range(13)
+    )
+    lump = Lump(m, (x, y, z), Symmetric(*second))
+    c, s = circle_point(Fraction(chance.randrange(9), chance.randrange(1, 9)))
+    expected = shifted(about_axis_x(lump, c, s), (p0, p1, p2))
+    assert moved_into(lump, c, s, (p0, p1, p2)) == expected
 
 
 def test_parallel_axes_need_one_offset() -> None:

@@ -24,6 +24,7 @@ from robodyn.ir.fingerprint import digest
 from robodyn.optimize.records import Record, best_record, identity, parse_record
 from robodyn.robot import Robot
 from robodyn.search.network import BELOW
+from robodyn_testing import representative
 
 ROBOT: Final = bundled("stanford_3dof_d3")
 Q, QD, QDD = (Input(array, 0) for array in ("q", "qd", "qdd"))
@@ -204,7 +205,7 @@ USELESS: Final[dict[str, tuple[Callable[[Forgery, float], Operand], tuple[float,
 @pytest.mark.parametrize(
     ("how", "size"), [(how, size) for how, (_, sizes) in USELESS.items() for size in sizes], ids=str
 )
-@pytest.mark.parametrize("output", [0, 2])
+@pytest.mark.parametrize("output", representative([0, 2], 0, rest="slow"))
 def test_a_program_that_is_equal_and_useless(how: str, size: float, output: int) -> None:
     forged = Forgery(genuine())
     made = forged.program(USELESS[how][0](forged, size), output)
@@ -286,6 +287,3 @@ def test_long_records_are_refused_before_anything_is_calculated(monkeypatch: pyt
         for function in ("inverse_dynamics", "gravity", "bias"):
             with pytest.raises(InputError, match=f"{what}.* where .*the recursion ha"):
                 program(ROBOT, function, Options((function,), records=(record,)))
-
-
-# --- chance ----------------------------------------------------------------------------------------------

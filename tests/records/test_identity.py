@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import fields, replace
 from fractions import Fraction
 from typing import Any
@@ -83,26 +82,6 @@ def test_every_field_counts_if_a_kernel_depends_on_it(model: type, name: str) ->
     changed, differs = CHANGED[model, name]
     assert changed != BASE
     assert (identity(changed) != identity(BASE)) is differs
-
-
-def test_each_place_counts_on_its_own() -> None:
-    changes: list[Callable[[Fraction], Robot]] = [
-        *(lambda x, k=k: replace(BASE, gravity=_put(BASE.gravity, k, x)) for k in range(3)),
-        *(lambda x, k=k: with_link(replace(LINK, com=_put(LINK.com, k, x))) for k in range(3)),
-        *(
-            lambda x, n=n: with_joint(**{n: x})
-            for n in ("a", "b", "d", "motor_inertia", "viscous", "coulomb")
-        ),
-        *(lambda x, n=n: with_inertia(**{n: x}) for n in ("xx", "yy", "zz", "xy", "xz", "yz")),
-        lambda x: with_link(replace(LINK, mass=x)),
-    ]
-    values = (Fraction(7), Fraction(-7), Fraction(1, 7))
-    found = [identity(change(x)) for change in changes for x in values]
-    assert len(set(found)) == len(found) == 19 * 3
-
-
-def _put(vector: tuple[Any, ...], k: int, x: Any) -> tuple[Any, ...]:
-    return (*vector[:k], x, *vector[k + 1 :])
 
 
 def test_a_run_time_parameter_counts_by_its_name() -> None:

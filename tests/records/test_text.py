@@ -8,7 +8,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics.direct import NO_SHRINKING
@@ -207,37 +207,6 @@ def used(text: str, robot: Robot = ROBOT) -> Program | None:
         assert message.startswith(f"{FILE}: ")
         return None
     return made
-
-
-WORDS = [
-    "%0", "%1", "%68", "%69", "%-1", "q[0]", "q[3]", "qd[1]", "tau[0]", "$m", "0", "1", "-1", "1/3",
-    "0/5", "1/0", "1/2305843009213693951", "sin", "cos", "tanh", "sign", "sqrt", "div", "mul", "add", "sub",
-    "neg", ":", "=",
-    "2", "w", "x", "-", "tau", "\n", " ", "\x00", "\r", "\u2028", "é", "٣", "9" * 5000,
-]  # fmt: skip
-
-
-@settings(max_examples=60, deadline=None, phases=NO_SHRINKING)
-@given(
-    st.lists(
-        st.tuples(
-            st.sampled_from(["line", "word", "character"]), st.integers(0, 10**6), st.sampled_from(WORDS)
-        ),
-        min_size=1,
-        max_size=3,
-    )
-)
-@example([("line", 30, "line")])
-def test_no_damage_is_worse_than_refused(damages: list[tuple[str, int, str]]) -> None:
-    text = GOOD
-    for kind, place, new in damages:
-        separator = {"line": "\n", "word": " ", "character": ""}[kind]
-        parts = list(text) if kind == "character" else text.split(separator)
-        k = place % len(parts)
-        parts[k : k + 1] = [[], [new], [parts[k], new], [parts[k], parts[k]]][place // len(parts) % 4]
-        text = separator.join(parts)
-    made = used(text)
-    assert made is None or equals_recursion(ROBOT, "inverse_dynamics", made)
 
 
 @given(st.text(max_size=200))

@@ -151,26 +151,6 @@ def test_inputs_that_the_recursion_does_not_read_may_be_read() -> None:
     assert count(made).total <= count(fast(robot, "gravity")).total
 
 
-@pytest.mark.parametrize(
-    "operations",
-    [
-        [Operation("div", (Input("q", 0), Fraction(0)))],
-        [Operation("mul", (Input("q", 0), Input("q", 1))), Operation("sin", (0,))],
-    ],
-    ids=["by zero", "no angle"],
-)
-def test_what_cannot_be_compared_is_refused(operations: list[Operation]) -> None:
-    n = len(PROGRAM.operations)
-    moved = [
-        Operation(op, tuple(n + arg if isinstance(arg, int) else arg for arg in args))
-        for op, args, _ in operations
-    ]
-    made = replace(PROGRAM, operations=(*PROGRAM.operations, *moved), origin=None)
-    for function in ("inverse_dynamics", "gravity", "bias"):
-        with pytest.raises(InputError):
-            program(ROBOT, function, Options((function,), records=(recorded(ROBOT, made),)))
-
-
 def test_the_error_names_the_file() -> None:
     text = recorded(ROBOT, mutants(PROGRAM)[0][1]).text()
     record = parse_record(text, "here/wrong.record")

@@ -61,13 +61,6 @@ def test_never_shorter_is_told() -> None:
     assert first_shorter({3: 5, 4: 6}, {3: 9, 4: 6}) is None
 
 
-def test_few_processors_undo_it() -> None:
-    """At six joints and four processors the linear form with less work is done sooner."""
-    machine = Machine(4)
-    linear, quick = (solve(form_graph(form, 6), machine) for form in ("modified-newton-euler", "lee-chang"))
-    assert linear.timetable.span < quick.timetable.span
-
-
 def test_at_six_joints_trees_are_done_sooner_from_35_processors_on() -> None:
     linear, quick = (form_graph(form, 6) for form in ("modified-newton-euler", "lathrop"))
     few = [

@@ -23,7 +23,7 @@ from robodyn.search import climb as climbing
 from robodyn.search import improve as improving
 from robodyn.search.improve import Progress, cost, improved, write_record
 from robodyn.search.walk import library
-from robodyn_testing import representative, sampled
+from robodyn_testing import representative
 from robodyn_testing.clocks import ticking
 from search.arms import SPECIAL, search_for_a_moment
 
@@ -84,12 +84,6 @@ def test_hardly_any_time(level: Any, seconds: float) -> None:
     check(improved(ROBOT, level=level, seconds=seconds, processes=1))
 
 
-@pytest.mark.usefixtures("moment")
-@pytest.mark.parametrize("function", ["gravity", "bias", "mass_matrix"])
-def test_other_functions(function: str) -> None:
-    check(quick(function=function, level="full" if function == "bias" else "search"), function=function)
-
-
 @pytest.mark.parametrize(
     "objective", representative(["mul", "fma", "depth", "sincos", "weighted:cortex-m3"], "depth", rest="slow")
 )
@@ -97,12 +91,6 @@ def test_objectives(objective: str, cache: Path) -> None:
     check(quick(objective=parse_objective(objective)))
     (path,) = (cache / FOLDER).iterdir()
     assert f"\nobjective {objective}\n" in path.read_text()
-
-
-@pytest.mark.parametrize("name", sampled(SPECIAL, every=4, rest="slow"))
-def test_special_arms(name: str) -> None:
-    for function in ("inverse_dynamics", "gravity"):
-        check(quick(SPECIAL[name], function=function), SPECIAL[name], function)
 
 
 # --- keeping and going on ---------------------------------------------------------------------------------

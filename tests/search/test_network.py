@@ -9,13 +9,9 @@ from functools import partial
 import pytest
 
 from records.made import fast
-from robodyn import InputError
 from robodyn.counts.objective import operations_of
-from robodyn.dynamics.equality import equals_recursion
-from robodyn.dynamics.functions import function_named
 from robodyn.ir import Input, Program
 from robodyn.ir.fingerprint import fingerprint
-from robodyn.robot import Robot, bundled_names
 from robodyn.robot.values import circle_point
 from robodyn.search.network import (
     ADD,
@@ -32,9 +28,7 @@ from robodyn.search.network import (
 )
 from robodyn.search.walk import rebuilt
 from robodyn_testing import by_hand as programs
-from robodyn_testing import representative, sampled
-from robodyn_testing.functions import OF_ANY_ARM
-from search.arms import SPECIAL, bundled, random_arms
+from search.arms import bundled
 
 X, Y, Q, R = Input("qd", 0), Input("qd", 1), Input("q", 0), Input("q", 1)
 
@@ -58,16 +52,6 @@ def meaning(made: Program) -> list[tuple[int, ...]]:
     return [fingerprint(made, seed, circle_point) for seed in (11, 12)]
 
 
-def check(robot: Robot, function: str) -> None:
-    plain = fast(robot, function)
-    found = back(network([plain]))
-    assert meaning(found) == meaning(plain)
-    assert [(n, len(e)) for n, e in found.outputs] == [(n, len(e)) for n, e in plain.outputs]
-    assert operations_of(found).total <= operations_of(plain).total
-    if robot.rest_velocity is None:
-        assert equals_recursion(robot, function, found, points=1)
-
-
 by_hand = partial(programs.by_hand, names={"x": X, "y": Y, "q": Q, "r": R})
 
 
@@ -75,33 +59,6 @@ def check_by_hand(made: Program) -> Network:
     found = network([made])
     assert meaning(back(found)) == meaning(made)
     return found
-
-
-@pytest.mark.parametrize("name", sampled(bundled_names(), every=4))
-def test_bundled_robots(name: str) -> None:
-    check(bundled(name), "inverse_dynamics")
-
-
-@pytest.mark.parametrize("name", ["stanford", "puma560_3dof"])
-@pytest.mark.parametrize("function", ["gravity", "bias", "mass_matrix", "forward_dynamics"])
-def test_other_functions(name: str, function: str) -> None:
-    check(bundled(name), function)
-
-
-@pytest.mark.parametrize("name", representative(SPECIAL, "tool", "smooth", "parameter"))
-def test_special_arms(name: str) -> None:
-    for function in OF_ANY_ARM:
-        try:
-            check(SPECIAL[name], function)
-        except InputError as error:  # an arm that moves without inertia has no inverse of its mass matrix
-            assert f"has no {function_named(function).words}" in str(error)  # noqa: PT017
-            assert function_named(function).solves
-
-
-@pytest.mark.parametrize("robot", random_arms(9, joints=4), ids=lambda robot: robot.name)
-def test_random_arms(robot: Robot) -> None:
-    for function in ("inverse_dynamics", "gravity", "mass_matrix"):
-        check(robot, function)
 
 
 def test_outputs_that_are_inputs_constants_and_one_another() -> None:

@@ -102,15 +102,3 @@ def test_a_search_is_always_below_regrouping_alone(robot: Robot) -> None:
 def test_fast_on_the_robots_of_the_thesis(name: str, most: int) -> None:
     made = program(bundled(name), "inverse_dynamics", Options(optimize="fast"))
     assert count(made).total <= most
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "most"),
-    [("puma560_d2", 256), ("stanford_d3", 211), ("puma560_3dof_d3", 90), ("ur10", 242), ("rx90", 455)],
-)
-def test_three_minutes_of_search(name: str, most: int) -> None:
-    robot = bundled(name)
-    found = search(robot, seconds=170, seed=0, processes=2)
-    assert found[0][0] <= most
-    assert equals_recursion(robot, "inverse_dynamics", found[0][2])

@@ -63,11 +63,6 @@ def test_no_step_out_of_bounds(tmp_path: Path) -> None:
     sanitized(tmp_path, steps=60)
 
 
-@pytest.mark.slow
-def test_no_step_out_of_bounds_for_long(tmp_path: Path) -> None:
-    sanitized(tmp_path, steps=3000)
-
-
 def sanitized(folder: Path, steps: int) -> None:
     """Walk with every access to memory and every arithmetic checked."""
     gcc = require_tool("gcc")

@@ -3,28 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import replace
-from fractions import Fraction
+from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
-import numpy as np
 import pytest
 
 from dynamics.direct import Recorder, State, exact_arm, values_of, with_named_numbers
 from ir.programs import Point, every_value, exactly
-from robodyn import program
 from robodyn.dynamics.arm import Arm, Motion, build_arm, build_motion
 from robodyn.dynamics.newton_euler import newton_euler
 from robodyn.dynamics.vectors import Mark, unmarked
 from robodyn.ir import Graph, Program
-from robodyn.ir.fingerprint import fingerprint
 from robodyn.ir.lowering import lower
 from robodyn.optimize.programs import exact, turned
 from robodyn.passes import FRESH, run, units
-from robodyn.robot import Robot, bundled_names
-from robodyn.robot.values import circle_point
+from robodyn.robot import Robot
 from robodyn.thesis.formulations import (
     balafoutis,
     kane,
@@ -36,9 +30,6 @@ from robodyn.thesis.formulations import (
 )
 from robodyn.thesis.logarithmic import doubling, logarithmic, tree
 from robodyn.thesis.printed import bundled
-from robodyn.verify import Reference
-from robodyn_testing import representative
-from robodyn_testing.random_robots import random_states
 
 Formulation = Callable[[Arm, Motion, Mark], list[Any]]
 MODULES: tuple[ModuleType, ...] = (
@@ -68,38 +59,6 @@ def test_torques_are_newton_eulers_fractions(name: str) -> None:
         state = State(robot, Point(3))
         motion = state.motion()
         assert FORMULATIONS[name](state.arm, motion, unmarked) == newton_euler(state.arm, motion), robot.name
-
-
-@each
-@pytest.mark.parametrize(
-    "robot",
-    representative(bundled_names(), "puma560_3dof", "stanford_3dof", "puma560_full", "rx90", rest="slow"),
-)
-def test_torques_in_double_precision_are_the_references(robot: str, name: str) -> None:
-    arm = build_arm(bundled(robot), float, lambda _: 0.0)
-    states = random_states(bundled(robot), 6, 1)
-    expected = Reference(bundled(robot)).inverse_dynamics(*states)
-    found = []
-    for q, qd, qdd in zip(*(x.tolist() for x in states), strict=True):
-
-        def trigonometry(angle: Any, q: Sequence[float] = q) -> tuple[float, float]:
-            total = angle.offset.radians + sum(sign * q[joint] for joint, sign in angle.terms)
-            return math.cos(total), math.sin(total)
-
-        motion = build_motion(arm, q, qd, qdd, trigonometry, float)
-        found.append(FORMULATIONS[name](arm, motion, unmarked))
-    assert np.abs(np.array(found) - expected).max() <= 1e-10 * max(1.0, np.abs(expected).max())
-
-
-@each
-@pytest.mark.parametrize("robot", representative(["puma560_3dof", "stanford_3dof", "tx40"], "stanford_3dof"))
-def test_customised_programs_mean_what_the_kernel_means(robot: str, name: str) -> None:
-    arm = bundled(robot)
-    kernel = fingerprint(program(arm, "inverse_dynamics"), 5, circle_point)
-    assert fingerprint(run(draft(arm, name), FRESH), 5, circle_point) == kernel
-    heavier = replace(arm.links[-1], mass=arm.links[-1].mass + Fraction(1, 1000))
-    other = draft(replace(arm, links=(*arm.links[:-1], heavier)), name)
-    assert fingerprint(other, 5, circle_point) != kernel
 
 
 @pytest.mark.parametrize(
@@ -136,9 +95,6 @@ def test_every_number_of_the_arm_may_be_given_at_run_time(name: str) -> None:
     numbers = {**values_of(described, robot), **state.numbers()}
     found = exactly(draft(described, name), Point(3), numbers)["tau"]
     assert found == newton_euler(state.arm, state.motion())
-
-
-# --- that slips are noticed ---------------------------------------------------------------------------------
 
 
 # --- running totals -----------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from robodyn.thesis.judge import (
 from robodyn.thesis.printed import TIMES_OTHERS
 from robodyn.thesis.tables import to_text
 from robodyn.thesis.tables.schedules import THESIS, one_table
+from robodyn_testing import representative
 from thesis.recomputed import table as recomputed
 
 #: Table: processors, levels, entries, distinct tasks, as counted on paper.
@@ -145,7 +146,7 @@ def test_the_other_columns_of_table_4_8() -> None:
     assert "quoted" in found["p = 6, Luh"].reason
 
 
-@pytest.mark.parametrize("table", THESIS)
+@pytest.mark.parametrize("table", representative(THESIS, "C.4", "4.7", rest="slow"))
 def test_each_table_alone(table: str) -> None:
     found = one_table(table)
     assert found.id == table
