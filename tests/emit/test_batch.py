@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import subprocess
 from dataclasses import replace
@@ -11,13 +10,13 @@ from pathlib import Path
 import pytest
 
 from emit.kernels import STRICT, STRICT_CPP, complaints, in_single, made, together, write
-from robodyn_testing import covering, representative, require_machine, require_tool
+from robodyn_testing import covering, representative, require_tool
 
 #: Inputs that nothing reads, parameters with the names of other things, every operation that is a call.
 SOME = ("puma560", "ghosts", "lift", "tool", "confusing", "effects_rubbing", "effects_sliding", "smooth")
 
 
-@pytest.fixture(scope="module", params=representative(["builtin", "given", "float"], "float", rest="slow"))
+@pytest.fixture(scope="module", params=["float"])
 def folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the files of some robots, batches and kernels, in double or float."""
     path = tmp_path_factory.mktemp(request.param)
@@ -40,9 +39,8 @@ def folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
                 ("clang++", STRICT_CPP),
             ],
             "gcc",
-            "clang++",
         ),
-        [64, 0],
+        representative([64, 0], 64),
     ),
 )
 def test_clean(compiler: str, flags: tuple[str, ...], width: int, folder: Path) -> None:
@@ -51,23 +49,6 @@ def test_clean(compiler: str, flags: tuple[str, ...], width: int, folder: Path) 
     widths = [f"-D{name.upper()}_BATCH_BYTES={width}" for name in SOME]
     file = together(sources, folder, f"together_{compiler}_{width}.h")
     assert complaints(require_tool(compiler), (*flags, "-O0", *widths), [file], folder) == ""
-
-
-@pytest.mark.parametrize(
-    ("compiler", "more"),
-    covering(
-        representative(["gcc", "clang"], "gcc"),
-        [((),), (("-fopenmp", "-Wno-unknown-pragmas"),), (("-mavx2",),), (("-mavx512f", "-mavx512dq"),)],
-    ),
-)
-def test_clean_optimised(compiler: str, more: tuple[str, ...], tmp_path: Path) -> None:
-    if "-fopenmp" in more and compiler == "clang":
-        more = ("-fopenmp=libgomp",)  # without libomp there is nothing to share, and nothing to say
-    if any(flag.startswith("-mavx") for flag in more):
-        require_machine(os.uname().machine == "x86_64", "an x86-64 processor, for AVX")
-    write(tmp_path, made("stanford_3dof").files(("c",), batch=True))
-    flags = (*STRICT, "-O2", *more)
-    assert complaints(require_tool(compiler), flags, ["stanford_3dof_batch.c"], tmp_path) == ""
 
 
 @pytest.mark.thorough

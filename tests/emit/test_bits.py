@@ -56,7 +56,7 @@ def same_bits(one: NDArray[Any], other: NDArray[Any]) -> bool:
 
 
 @pytest.mark.parametrize(
-    ("name", "scalar"), covering(sampled(NAMES, every=3, rest="slow"), ["double", "float"])
+    ("name", "scalar"), covering(sampled(NAMES, every=5, rest="slow"), ["double", "float"])
 )
 def test_c_and_fortran_give_the_same_bits(name: str, scalar: str) -> None:
     gcc, gfortran = require_tool("gcc"), require_tool("gfortran")
@@ -71,7 +71,7 @@ def test_c_and_fortran_give_the_same_bits(name: str, scalar: str) -> None:
         assert same_bits(one, other), function
 
 
-@pytest.mark.parametrize("name", sampled(NAMES, every=2, rest="slow"))
+@pytest.mark.parametrize("name", sampled(NAMES, every=3, rest="slow"))
 def test_compiled_c_does_what_the_program_says_to_the_bit(name: str) -> None:
     """The program, run in Python: the same operations in the same order, so the same roundings."""
     kernel = compile_robot(robots()[name], cc=require_tool("gcc"), mode="abi")
@@ -102,25 +102,6 @@ def steps(kernel: Any, interface: Any, program: Any, inputs: Any, numbers: dict[
         expected = evaluate(program, state)
         assert tau.tobytes() == np.array(expected["tau"], dtype=np.float64).tobytes()
         assert memory.tobytes() == np.array(expected["state"], dtype=np.float64).tobytes()
-
-
-@pytest.mark.parametrize(
-    ("compiler", "flags"),
-    [
-        ("gcc", "-std=c99 -O0 -ffp-contract=off"),
-        ("gcc", "-std=c99 -O3 -ffp-contract=off"),
-        ("gcc", "-std=c99 -Os -ffp-contract=off"),
-        ("clang", "-std=c99 -O2 -ffp-contract=off"),
-    ],
-)
-def test_compilers_and_levels_give_the_same_bits(compiler: str, flags: str) -> None:
-    name = "smooth"
-    reference = compile_robot(robots()[name], cc=require_tool("gcc"), mode="abi")
-    other = compile_robot(robots()[name], cc=require_tool(compiler), flags=flags, mode="abi")
-    inputs = arrays(name)
-    for function in reference.functions:
-        one, two = (run(kernel, function, inputs, name) for kernel in (reference, other))
-        assert same_bits(one, two), function
 
 
 @pytest.mark.parametrize("name", representative(["stanford", "tool"], "tool", rest="slow"))

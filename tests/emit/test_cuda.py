@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import dataclasses
 import shlex
 import subprocess
 from pathlib import Path
@@ -131,22 +130,6 @@ def test_solutions_roots_and_arctangents(tmp_path: Path) -> None:
         repeated = of_program(roots(20, rows), "double")
         found = Threads(repeated, folder).run("gravity", {"q": q}, {}, 0.0)
         np.testing.assert_allclose(found, q * np.sqrt(1 + np.abs(q[:, :rows])), rtol=1e-6)
-
-
-def test_a_wrong_kernel_is_noticed(tmp_path: Path) -> None:
-    """One sign."""
-    generated = made("rubbing", "builtin")
-    ((signature, program), *_) = (f for f in generated.unit.functions if f[0].function == "bias")
-    wrong = dataclasses.replace(generated.unit, functions=((signature, program),))
-    threads = Threads(dataclasses.replace(generated, unit=wrong), tmp_path)
-    text = (tmp_path / "rubbing.cuh").read_text()
-    inputs = arrays("rubbing")
-    before = threads.run("bias", inputs, {}, DT)
-    assert text.count("> 0.0 ?") == 1
-    (tmp_path / "rubbing.cuh").write_text(text.replace("> 0.0 ?", "< 0.0 ?", 1))
-    (tmp_path / "wrong.cpp").write_text(SHIM.replace("NAME", "rubbing"))
-    threads.built = library(tmp_path, "wrong.cpp", require_tool("g++"), "-O1")
-    assert not same_bits(threads.run("bias", inputs, {}, DT), before)
 
 
 def test_sines_of_the_library_come_from_one_call() -> None:

@@ -112,17 +112,6 @@ def test_every_language_gives_the_bits_of_the_program(
         assert found.tobytes() == expected.tobytes(), signature.function
 
 
-@pytest.mark.thorough
-def test_with_libm_c_and_fortran_give_the_same_bits(tmp_path: Path) -> None:
-    generated, q = of_program(program(), "double", "libm"), states()
-    one, other = (outcome(way, generated, "gravity", {"q": q}, tmp_path) for way in ("c", "fortran"))
-    assert one.tobytes() == other.tobytes()
-    functions = {"sin": np.sin, "sqrt": np.sqrt, "abs": np.abs, "atan2": np.arctan2}
-    inputs = {Input("q", i): q[:, i] for i in range(3)}
-    exact = np.stack(evaluate(program(), inputs, functions=functions)["tau"], axis=1)
-    np.testing.assert_allclose(one, exact, rtol=1e-13, atol=1e-14)
-
-
 def test_arctangents_that_do_not_need_each_other_stand_together() -> None:
     joined = arctangents_together(program())
     ops = [op.op for op in joined.operations]

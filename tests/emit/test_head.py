@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import re
 
 import pytest
 
@@ -78,22 +77,6 @@ def test_the_head_says_what_is_inside(arm: Robot, files: dict[str, str]) -> None
         ):
             assert needed in words, (name, needed)
         assert "1 divisions" not in words
-
-
-def test_a_function_says_that_friction_is_in_it(files: dict[str, str]) -> None:
-    header = files["bench_arm.h"]
-
-    def above(function: str) -> str:
-        comments = re.findall(rf"/\*((?:(?!\*/).)*)\*/\s*void bench_arm_{function}\(", header, re.S)
-        assert len(comments) == 1
-        return str(comments[0])
-
-    for function in ("inverse_dynamics", "bias", "forward_dynamics"):
-        for what in ("viscous friction", "Coulomb friction", "Stribeck friction"):
-            assert what in above(function)
-    assert "rotor inertia" in above("inverse_dynamics")
-    assert "rotor inertia" not in above("bias")
-    assert "friction" not in above("gravity") + above("mass_matrix")
 
 
 def test_options_and_numbers_show(arm: Robot) -> None:

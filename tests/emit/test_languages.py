@@ -25,7 +25,7 @@ from robodyn.firmware.language_tests import language_tests
 from robodyn.kernels.generate import Generated, Options, generate
 from robodyn.robot import load, read_text
 from robodyn_cli.main import main
-from robodyn_testing import representative, require_tool
+from robodyn_testing import representative, require_tool, sampled
 
 __all__ = ["own_cache"]
 
@@ -103,17 +103,6 @@ def test_names_that_a_language_does_not_allow(tmp_path: Path) -> None:
     (tmp_path / "a.f90").write_text(text)
     compiler = require_tool("gfortran")
     subprocess.run([compiler, "-std=f2018", "-fsyntax-only", tmp_path / "a.f90"], check=True)
-
-
-@pytest.mark.parametrize("name", LANGUAGES)
-def test_every_language_writes_every_kind_of_kernel(name: str) -> None:
-    """Each function is there, and float, where there is one, is not double."""
-    for trig in ("libm", "builtin", "given"):
-        double = made("tool", trig)
-        text = "".join(double.files((name,)).values())
-        assert all(signature.symbol in text for signature in double.signatures)
-        if "float" in LANGUAGES[name].scalars:
-            assert text != "".join(in_single(double).files((name,)).values())
 
 
 # --- beside C and Fortran -----------------------------------------------------------------------------------
@@ -245,11 +234,11 @@ def test_a_wrong_kernel_fails_its_tests(
 
 @pytest.mark.parametrize(
     ("lang", "names", "builtin", "libm"),
-    [
+    sampled([
         ("js", {"stanford_3dof.mjs", "stanford_3dof.test.mjs"}, set(), "Math.sin(q[1])"),
         ("c,rs", {"stanford_3dof.c", "stanford_3dof.h", "Cargo.toml", "src/lib.rs", "tests/vectors.rs"},
          {"libm =", "<math.h>"}, 'libm = "0.2"'),
-    ],
+    ], every=2),
 )  # fmt: skip
 def test_gen_writes_tests_and_checks_them(
     lang: str, names: set[str], builtin: set[str], libm: str, tmp_path: Path

@@ -44,7 +44,7 @@ def macros(folder: Path, dialect: tuple[str, ...], headers: set[str]) -> dict[st
     return {name: called == "(" for name, called in found if LEGAL.match(name)}
 
 
-@pytest.mark.parametrize("dialect", DIALECTS, ids="-".join)
+@pytest.mark.parametrize("dialect", sampled(map(pytest.param, DIALECTS), every=2), ids="-".join)
 def test_macros_are_no_parameters(dialect: tuple[str, ...], tmp_path: Path) -> None:
     """All of the headers that the emitted files include; of the standard's those that stand for themselves
     (a parameter is never followed by a parenthesis)."""
@@ -133,20 +133,6 @@ def test_names_that_are_accepted_compile(way: str, tmp_path: Path) -> None:
         assert complaints(tmp_path, require_tool("gfortran"), *flags, *modules) == ""
 
 
-@pytest.mark.thorough
-def test_images_and_proofs_take_them_too(tmp_path: Path) -> None:
-    files = WAYS["firmware"](arm("zq", GOOD))
-    sources = [name for name in written(tmp_path, files) if not name.endswith("_main.c")]
-    flags: tuple[str, ...] = ("-mcpu=cortex-m4", "-mthumb", "-std=gnu17", *CLEAN)
-    assert complaints(tmp_path, require_tool("arm-none-eabi-gcc"), *flags, *sources) == ""
-    flags = ("-march=rv32imafc", "-mabi=ilp32f", "-std=gnu17", "-ffreestanding", *CLEAN)
-    assert complaints(tmp_path, require_tool("riscv64-unknown-elf-gcc"), *flags, *sources) == ""
-    proof = tmp_path / "proof"
-    sources = [str(proof / name) for name in written(proof, WAYS["libm"](arm("zq", GOOD)))]
-    said = complaints(proof, require_tool("frama-c"), "-typecheck", *sources)
-    assert "error" not in said.lower(), said
-
-
 def test_names_in_robots_that_a_program_made_are_looked_at_too() -> None:
     """Those in a description were looked at when it was read."""
     from robodyn import Options, generate
@@ -162,21 +148,6 @@ def test_names_in_robots_that_a_program_made_are_looked_at_too() -> None:
         made = generate(replace(robot, links=links), Options(("inverse_dynamics",), optimize="none"))
         with pytest.raises(InputError, match="the run-time parameter"):
             made.files()
-
-
-@pytest.mark.parametrize("name", ["q", "qd", "tau", "sc", "dt", "state"])
-def test_parameters_may_be_called_like_arrays_that_nothing_reads(name: str, tmp_path: Path) -> None:
-    from robodyn import Options, generate
-
-    link = f"{{joint: prismatic, alpha: 0.3, mass: {name}, com: [0.1, 0, 0]}}"
-    robot = read_text(f"name: lift\nlinks: [{link}, {link}]")
-    files = [generate(robot, Options()).files(), *(WAYS[way](robot) for way in ("kernels", "schedule"))]
-    if name != "q":
-        files.append(generate(robot, Options(trig="given")).files())
-    for k, some in enumerate(files):
-        sources = written(tmp_path / str(k), some)
-        standard = "-std=c11" if "lift_parallel.c" in some else "-std=c99"
-        assert complaints(tmp_path / str(k), require_tool("gcc"), standard, *CLEAN, *sources) == ""
 
 
 # --- names of robots ----------------------------------------------------------------------
@@ -201,15 +172,6 @@ def stems(way: str) -> Iterator[tuple[str, str]]:
 def test_no_robot_has_names_that_the_files_have_for_something_else(way: str) -> None:
     """For every robot at once: a name of ours that begins otherwise must not go on as a robot's do."""
     assert list(stems(way)) == []
-
-
-@pytest.mark.parametrize("way", WAYS)
-def test_no_robot_has_files_that_are_there_already(way: str) -> None:
-    files = [file.lower() for file in WAYS[way](arm(NAME))]
-    own = {file.rpartition(".")[2] for file in files if file.startswith(NAME)}
-    others = [file for file in files if not file.startswith(NAME)]
-    assert len(set(files)) == len(files), "where capitals do not count"
-    assert [f for f in others if f.rpartition(".")[2] in own and f.partition(".")[0].isidentifier()] == []
 
 
 #: Names of files, functions, macros, variables and targets of ours and of the tools that build them.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 from pathlib import Path
 
@@ -73,49 +72,6 @@ def test_a_parameter_that_rust_keeps_for_itself_is_refused() -> None:
     robot = read_text("name: arm\nlinks: [{joint: revolute, mass: super, com: [1, 0, 0]}]")
     with pytest.raises(InputError, match="super cannot be a name in Rust"):
         generate(robot, Options(trig="builtin")).files(("rust",))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("scalar", ["double", "float"])
-def test_a_crate_is_compiled_for_a_cortex_m(scalar: str, cortex_m: Path, tmp_path: Path) -> None:
-    """With the core library for it, compiled from Debian's source: nothing but arithmetic is called."""
-    generated = made("puma560", "builtin")
-    generated = in_single(generated) if scalar == "float" else generated
-    folder = write_crate(generated, tmp_path)
-    options = ("--crate-type", "rlib", "--crate-name", "puma560", "-C", "opt-level=2", "-C", "panic=abort")
-    found = ("--extern", f"core={cortex_m / 'libcore.rlib'}", "-L", str(cortex_m))
-    arguments = ("--target", TARGET, *options, *found, "--emit", "obj", "-o", "arm.o", "src/lib.rs")
-    rustc(*arguments, folder=folder, compiler=DEBIANS)
-    command = [require_tool("arm-none-eabi-nm"), "arm.o"]
-    symbols = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True).stdout
-    for function in generated.counts:
-        assert function in symbols
-    called = {line.split()[-1] for line in symbols.splitlines() if " U " in line}
-    assert all(name.startswith("__aeabi_") for name in called), called
-    assert bool(called) == (scalar == "double")  # this processor computes in float by itself
-
-
-TARGET = "thumbv7em-none-eabihf"
-#: The compiler whose source rust-src is; another may come before it on the PATH.
-DEBIANS = "/usr/bin/rustc"
-
-
-@pytest.fixture(scope="module")
-def cortex_m(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The core library for a Cortex-M4F, compiled from rust-src, whose version must be the compiler's."""
-    core = sorted(Path("/usr/src").glob("rustc-*/library/core/src/lib.rs"))
-    if not core or not Path(DEBIANS).exists():
-        require_tool("rust-src")
-    folder = tmp_path_factory.mktemp("core")
-    (folder / "none.rs").write_text(
-        "#![feature(compiler_builtins, no_core)]\n#![compiler_builtins]\n#![no_core]\n"
-    )
-    environment = {**os.environ, "RUSTC_BOOTSTRAP": "1"}
-    for name, source in (("compiler_builtins", folder / "none.rs"), ("core", core[-1])):
-        command = [DEBIANS, "--edition", "2021", "--crate-type", "rlib", "--crate-name", name]
-        command += ["--target", TARGET, "-O", "-A", "warnings", str(source)]
-        subprocess.run(command, cwd=folder, env=environment, check=True, capture_output=True, timeout=600)
-    return folder
 
 
 def test_rust_lists_them_as_well(tmp_path: Path) -> None:

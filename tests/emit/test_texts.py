@@ -18,7 +18,7 @@ from robodyn.ir import Label
 from robodyn.kernels.generate import Generated, generate
 from robodyn.optimize.records import best_record
 from robodyn.robot import Robot
-from robodyn_testing import require_tool
+from robodyn_testing import representative, require_tool
 
 HOSTILE = (
     "*/ int x; /*",
@@ -88,6 +88,8 @@ def fortran_code_of(text: str) -> list[str]:
     return [line for line in text.splitlines() if not re.match(r" *!( |$)", line)]
 
 
+#: Of 40 characters, as its parameters are of 31.
+LONGEST = "the_longest_name_that_a_robot_may_have_x"
 PLAIN = files_of(named("plain"))
 
 
@@ -216,7 +218,7 @@ def test_arguments_come_in_the_order_of_the_contract() -> None:
     assert "const tool_real qdd[3], tool_real tau[3], const tool_params *p);" in parameters
 
 
-@pytest.mark.parametrize("name", robots())
+@pytest.mark.parametrize("name", representative(robots(), "puma560", "tool", LONGEST, rest="slow"))
 def test_lines_fit_and_quantities_have_headings(name: str) -> None:
     """In 110 columns, and with the longest names Fortran in the 132 that every compiler takes."""
     for file, text in made(name).files().items():
