@@ -51,11 +51,8 @@ void iiwa_inverse_dynamics(
     const iiwa_real qdd[7],
     iiwa_real tau[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa_real *const again = q;
     /* sines and cosines of the joint angles */
-    const iiwa_real s2 = sin(again[1]);
+    const iiwa_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const iiwa_real w2_x = -s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -70,7 +67,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real alpha2_x = ww2_yz - lam2_23;
     /* sines and cosines of the joint angles */
     const iiwa_real c3 = cos(q[2]);
-    const iiwa_real s3 = sin(again[2]);
+    const iiwa_real s3 = sin(q[2]);
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_x = w2_x*c3 + qd[1]*s3;
     const iiwa_real w3_z = qd[2] - w2_y;
@@ -92,7 +89,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real lam3_32 = alpha3_x + ww3_yz;
     /* sines and cosines of the joint angles */
     const iiwa_real c4 = cos(q[3]);
-    const iiwa_real s4 = sin(again[3]);
+    const iiwa_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const iiwa_real w4_x = w3_x*c4 + w3_z*s4;
     const iiwa_real w4_z = qd[3] - w3_y;
@@ -111,7 +108,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real neg_lam4_11 = ww4_zz + ww4_yy;
     /* sines and cosines of the joint angles */
     const iiwa_real c5 = cos(q[4]);
-    const iiwa_real s5 = sin(again[4]);
+    const iiwa_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_x = w4_x*c5 - w4_z*s5;
     const iiwa_real w5_z = w4_y + qd[4];
@@ -127,7 +124,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const iiwa_real c6 = cos(q[5]);
-    const iiwa_real s6 = sin(again[5]);
+    const iiwa_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_x = w5_x*c6 - w5_z*s6;
     const iiwa_real w6_z = w5_y + qd[5];
@@ -144,7 +141,7 @@ void iiwa_inverse_dynamics(
     const iiwa_real w7_z = qd[6] - w6_y;
     /* sines and cosines of the joint angles */
     const iiwa_real c7 = cos(q[6]);
-    const iiwa_real s7 = sin(again[6]);
+    const iiwa_real s7 = sin(q[6]);
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const iiwa_real neg_lam2_13 = c2*qdd[0];
     /* link 2: products of the angular velocity [1/s^2] */
@@ -338,11 +335,8 @@ void iiwa_inverse_dynamics(
  * 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine */
 void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa_real *const again = q;
     /* sines and cosines of the joint angles */
-    const iiwa_real s7 = sin(again[6]);
+    const iiwa_real s7 = sin(q[6]);
     const iiwa_real c7 = cos(q[6]);
     /* link 7: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const iiwa_real hw7_y = 9.809513420435959*s7 + 6.948489688048372*c7;
@@ -350,13 +344,13 @@ void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
     const iiwa_real c6 = cos(q[5]);
     const iiwa_real c5 = cos(q[4]);
     const iiwa_real c4 = cos(q[3]);
-    const iiwa_real s2 = sin(again[1]);
+    const iiwa_real s2 = sin(q[1]);
     const iiwa_real c3 = cos(q[2]);
     const iiwa_real c2 = cos(q[1]);
-    const iiwa_real s4 = sin(again[3]);
-    const iiwa_real s5 = sin(again[4]);
-    const iiwa_real s3 = sin(again[2]);
-    const iiwa_real s6 = sin(again[5]);
+    const iiwa_real s4 = sin(q[3]);
+    const iiwa_real s5 = sin(q[4]);
+    const iiwa_real s3 = sin(q[2]);
+    const iiwa_real s6 = sin(q[5]);
     /* link 7: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const iiwa_real hw7_x = 9.809513420435959*c7 - 6.948489688048372*s7;
     const iiwa_real t1 = s2*c3;
@@ -408,11 +402,8 @@ void iiwa_gravity(const iiwa_real q[7], iiwa_real tau[7])
  * 243 multiplications, 227 additions = 470; 7 unary minus; 12 sine/cosine */
 void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa_real *const again = q;
     /* sines and cosines of the joint angles */
-    const iiwa_real s2 = sin(again[1]);
+    const iiwa_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const iiwa_real w2_x = -s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -423,7 +414,7 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real ww2_yz = w2_y*qd[1];
     /* sines and cosines of the joint angles */
     const iiwa_real c3 = cos(q[2]);
-    const iiwa_real s3 = sin(again[2]);
+    const iiwa_real s3 = sin(q[2]);
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_x = w2_x*c3 + qd[1]*s3;
     const iiwa_real w3_z = qd[2] - w2_y;
@@ -445,7 +436,7 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real lam3_32 = alpha3_x + ww3_yz;
     /* sines and cosines of the joint angles */
     const iiwa_real c4 = cos(q[3]);
-    const iiwa_real s4 = sin(again[3]);
+    const iiwa_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const iiwa_real w4_x = w3_x*c4 + w3_z*s4;
     const iiwa_real w4_z = qd[3] - w3_y;
@@ -462,7 +453,7 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real neg_lam4_11 = ww4_zz + ww4_yy;
     /* sines and cosines of the joint angles */
     const iiwa_real c5 = cos(q[4]);
-    const iiwa_real s5 = sin(again[4]);
+    const iiwa_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_x = w4_x*c5 - w4_z*s5;
     const iiwa_real w5_z = w4_y + qd[4];
@@ -478,7 +469,7 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const iiwa_real c6 = cos(q[5]);
-    const iiwa_real s6 = sin(again[5]);
+    const iiwa_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_x = w5_x*c6 - w5_z*s6;
     const iiwa_real w6_z = w5_y + qd[5];
@@ -495,7 +486,7 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
     const iiwa_real w7_z = qd[6] - w6_y;
     /* sines and cosines of the joint angles */
     const iiwa_real c7 = cos(q[6]);
-    const iiwa_real s7 = sin(again[6]);
+    const iiwa_real s7 = sin(q[6]);
     /* link 2: products of the angular velocity [1/s^2] */
     const iiwa_real ww2_zx = w2_x*qd[1];
     /* link 4: angular acceleration [rad/s^2] */
@@ -674,22 +665,19 @@ void iiwa_bias(const iiwa_real q[7], const iiwa_real qd[7], iiwa_real tau[7])
  * 133 multiplications, 125 additions = 258; 6 unary minus; 12 sine/cosine */
 void iiwa_mass_matrix(const iiwa_real q[7], iiwa_real M[49])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa_real *const again = q;
     /* sines and cosines of the joint angles */
     const iiwa_real c2 = cos(q[1]);
-    const iiwa_real s2 = sin(again[1]);
+    const iiwa_real s2 = sin(q[1]);
     const iiwa_real c3 = cos(q[2]);
-    const iiwa_real s3 = sin(again[2]);
+    const iiwa_real s3 = sin(q[2]);
     const iiwa_real c4 = cos(q[3]);
-    const iiwa_real s4 = sin(again[3]);
+    const iiwa_real s4 = sin(q[3]);
     const iiwa_real c5 = cos(q[4]);
-    const iiwa_real s5 = sin(again[4]);
+    const iiwa_real s5 = sin(q[4]);
     const iiwa_real c6 = cos(q[5]);
-    const iiwa_real s6 = sin(again[5]);
+    const iiwa_real s6 = sin(q[5]);
     const iiwa_real c7 = cos(q[6]);
-    const iiwa_real s7 = sin(again[6]);
+    const iiwa_real s7 = sin(q[6]);
     const iiwa_real t1 = 0.150926706942488*s7;
     const iiwa_real t2 = 0.32845591866705903*c7;
     const iiwa_real t3 = t1 - t2;
@@ -872,11 +860,8 @@ void iiwa_forward_dynamics(
     const iiwa_real tau[7],
     iiwa_real qdd[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa_real *const again = q;
     /* sines and cosines of the joint angles */
-    const iiwa_real s2 = sin(again[1]);
+    const iiwa_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const iiwa_real w2_x = -s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -887,7 +872,7 @@ void iiwa_forward_dynamics(
     const iiwa_real ww2_yz = w2_y*qd[1];
     /* sines and cosines of the joint angles */
     const iiwa_real c3 = cos(q[2]);
-    const iiwa_real s3 = sin(again[2]);
+    const iiwa_real s3 = sin(q[2]);
     /* link 3: angular velocity [rad/s] */
     const iiwa_real w3_x = w2_x*c3 + qd[1]*s3;
     const iiwa_real w3_z = qd[2] - w2_y;
@@ -909,7 +894,7 @@ void iiwa_forward_dynamics(
     const iiwa_real lam3_32 = alpha3_x + ww3_yz;
     /* sines and cosines of the joint angles */
     const iiwa_real c4 = cos(q[3]);
-    const iiwa_real s4 = sin(again[3]);
+    const iiwa_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const iiwa_real w4_x = w3_x*c4 + w3_z*s4;
     const iiwa_real w4_z = qd[3] - w3_y;
@@ -926,7 +911,7 @@ void iiwa_forward_dynamics(
     const iiwa_real neg_lam4_11 = ww4_zz + ww4_yy;
     /* sines and cosines of the joint angles */
     const iiwa_real c5 = cos(q[4]);
-    const iiwa_real s5 = sin(again[4]);
+    const iiwa_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const iiwa_real w5_x = w4_x*c5 - w4_z*s5;
     const iiwa_real w5_z = w4_y + qd[4];
@@ -942,7 +927,7 @@ void iiwa_forward_dynamics(
     const iiwa_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const iiwa_real c6 = cos(q[5]);
-    const iiwa_real s6 = sin(again[5]);
+    const iiwa_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const iiwa_real w6_x = w5_x*c6 - w5_z*s6;
     const iiwa_real w6_z = w5_y + qd[5];
@@ -959,7 +944,7 @@ void iiwa_forward_dynamics(
     const iiwa_real w7_z = qd[6] - w6_y;
     /* sines and cosines of the joint angles */
     const iiwa_real c7 = cos(q[6]);
-    const iiwa_real s7 = sin(again[6]);
+    const iiwa_real s7 = sin(q[6]);
     /* link 2: products of the angular velocity [1/s^2] */
     const iiwa_real ww2_zx = w2_x*qd[1];
     /* link 4: angular acceleration [rad/s^2] */

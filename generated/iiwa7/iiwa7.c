@@ -57,16 +57,13 @@ void iiwa7_inverse_dynamics(
     const iiwa7_real qdd[7],
     iiwa7_real tau[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa7_real *const again = q;
     /* sines and cosines of the joint angles */
     const iiwa7_real c2 = cos(q[1]);
     const iiwa7_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const iiwa7_real w2_y = t1*c2;
     /* sines and cosines of the joint angles */
-    const iiwa7_real s2 = sin(again[1]);
+    const iiwa7_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const iiwa7_real w2_x = t1*s2;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -95,7 +92,7 @@ void iiwa7_inverse_dynamics(
     const iiwa7_real neg_lam2_33 = qd[0]*qd[0];
     const iiwa7_real lam2_31 = ww2_zx - alpha2_y;
     /* sines and cosines of the joint angles */
-    const iiwa7_real s3 = sin(again[2]);
+    const iiwa7_real s3 = sin(q[2]);
     const iiwa7_real c3 = cos(q[2]);
     /* link 3: angular velocity [rad/s] */
     const iiwa7_real w3_y = qd[1]*c3 - w2_x*s3;
@@ -118,7 +115,7 @@ void iiwa7_inverse_dynamics(
     const iiwa7_real lam3_32 = alpha3_x + ww3_yz;
     const iiwa7_real neg_lam3_31 = alpha3_y - ww3_zx;
     /* sines and cosines of the joint angles */
-    const iiwa7_real s4 = sin(again[3]);
+    const iiwa7_real s4 = sin(q[3]);
     const iiwa7_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const iiwa7_real w4_y = w3_z*c4 - w3_x*s4;
@@ -143,7 +140,7 @@ void iiwa7_inverse_dynamics(
     const iiwa7_real neg_lam4_33 = ww3_xx + ww3_zz;
     const iiwa7_real lam4_31 = ww4_zx - alpha4_y;
     /* sines and cosines of the joint angles */
-    const iiwa7_real s5 = sin(again[4]);
+    const iiwa7_real s5 = sin(q[4]);
     const iiwa7_real c5 = cos(q[4]);
     /* link 5: angular velocity [rad/s] */
     const iiwa7_real w5_y = -w4_z*c5 - w4_x*s5;
@@ -172,7 +169,7 @@ void iiwa7_inverse_dynamics(
     const iiwa7_real lam5_31 = ww5_zx - alpha5_y;
     /* sines and cosines of the joint angles */
     const iiwa7_real c6 = cos(q[5]);
-    const iiwa7_real s6 = sin(again[5]);
+    const iiwa7_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const iiwa7_real w6_x = w5_x*c6 - w5_z*s6;
     const iiwa7_real w6_z = w5_y + qd[5];
@@ -196,7 +193,7 @@ void iiwa7_inverse_dynamics(
     const iiwa7_real lam6_31 = ww6_zx - alpha6_y;
     /* sines and cosines of the joint angles */
     const iiwa7_real c7 = cos(q[6]);
-    const iiwa7_real s7 = sin(again[6]);
+    const iiwa7_real s7 = sin(q[6]);
     /* link 7: angular velocity [rad/s] */
     const iiwa7_real w7_x = w6_x*c7 + w6_z*s7;
     const iiwa7_real w7_y = w6_z*c7 - w6_x*s7;
@@ -320,9 +317,6 @@ void iiwa7_inverse_dynamics(
  * 30 multiplications, 18 additions = 48; 2 unary minus; 10 sine/cosine */
 void iiwa7_gravity(const iiwa7_real q[7], iiwa7_real tau[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa7_real *const again = q;
     /* sines and cosines of the joint angles */
     const iiwa7_real c6 = cos(q[5]);
     /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
@@ -330,13 +324,13 @@ void iiwa7_gravity(const iiwa7_real q[7], iiwa7_real tau[7])
     /* sines and cosines of the joint angles */
     const iiwa7_real c5 = cos(q[4]);
     const iiwa7_real c4 = cos(q[3]);
-    const iiwa7_real s2 = sin(again[1]);
+    const iiwa7_real s2 = sin(q[1]);
     const iiwa7_real c3 = cos(q[2]);
     const iiwa7_real c2 = cos(q[1]);
-    const iiwa7_real s4 = sin(again[3]);
-    const iiwa7_real s5 = sin(again[4]);
-    const iiwa7_real s3 = sin(again[2]);
-    const iiwa7_real s6 = sin(again[5]);
+    const iiwa7_real s4 = sin(q[3]);
+    const iiwa7_real s5 = sin(q[4]);
+    const iiwa7_real s3 = sin(q[2]);
+    const iiwa7_real s6 = sin(q[5]);
     /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const iiwa7_real hw6_x = 3.1140565776*s6;
     const iiwa7_real t1 = s2*c3;
@@ -377,16 +371,13 @@ void iiwa7_gravity(const iiwa7_real q[7], iiwa7_real tau[7])
  * 209 multiplications, 177 additions = 386; 8 unary minus; 12 sine/cosine */
 void iiwa7_bias(const iiwa7_real q[7], const iiwa7_real qd[7], iiwa7_real tau[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa7_real *const again = q;
     /* sines and cosines of the joint angles */
     const iiwa7_real c2 = cos(q[1]);
     const iiwa7_real t1 = -qd[0];
     /* link 2: angular velocity [rad/s] */
     const iiwa7_real w2_y = t1*c2;
     /* sines and cosines of the joint angles */
-    const iiwa7_real s2 = sin(again[1]);
+    const iiwa7_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const iiwa7_real w2_x = t1*s2;
     /* link 2: angular acceleration [rad/s^2] */
@@ -402,7 +393,7 @@ void iiwa7_bias(const iiwa7_real q[7], const iiwa7_real qd[7], iiwa7_real tau[7]
     const iiwa7_real neg_lam2_11 = ww2_zz + ww2_yy;
     const iiwa7_real neg_lam2_33 = qd[0]*qd[0];
     /* sines and cosines of the joint angles */
-    const iiwa7_real s3 = sin(again[2]);
+    const iiwa7_real s3 = sin(q[2]);
     const iiwa7_real c3 = cos(q[2]);
     /* link 3: angular velocity [rad/s] */
     const iiwa7_real w3_y = qd[1]*c3 - w2_x*s3;
@@ -424,7 +415,7 @@ void iiwa7_bias(const iiwa7_real q[7], const iiwa7_real qd[7], iiwa7_real tau[7]
     const iiwa7_real lam3_32 = alpha3_x + ww3_yz;
     const iiwa7_real neg_lam3_31 = alpha3_y - ww3_zx;
     /* sines and cosines of the joint angles */
-    const iiwa7_real s4 = sin(again[3]);
+    const iiwa7_real s4 = sin(q[3]);
     const iiwa7_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const iiwa7_real w4_y = w3_z*c4 - w3_x*s4;
@@ -448,7 +439,7 @@ void iiwa7_bias(const iiwa7_real q[7], const iiwa7_real qd[7], iiwa7_real tau[7]
     const iiwa7_real neg_lam4_33 = ww3_xx + ww3_zz;
     const iiwa7_real lam4_31 = ww4_zx - alpha4_y;
     /* sines and cosines of the joint angles */
-    const iiwa7_real s5 = sin(again[4]);
+    const iiwa7_real s5 = sin(q[4]);
     const iiwa7_real c5 = cos(q[4]);
     /* link 5: angular velocity [rad/s] */
     const iiwa7_real w5_y = -w4_z*c5 - w4_x*s5;
@@ -476,7 +467,7 @@ void iiwa7_bias(const iiwa7_real q[7], const iiwa7_real qd[7], iiwa7_real tau[7]
     const iiwa7_real lam5_31 = ww5_zx - alpha5_y;
     /* sines and cosines of the joint angles */
     const iiwa7_real c6 = cos(q[5]);
-    const iiwa7_real s6 = sin(again[5]);
+    const iiwa7_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const iiwa7_real w6_x = w5_x*c6 - w5_z*s6;
     const iiwa7_real w6_z = w5_y + qd[5];
@@ -499,7 +490,7 @@ void iiwa7_bias(const iiwa7_real q[7], const iiwa7_real qd[7], iiwa7_real tau[7]
     const iiwa7_real lam6_31 = ww6_zx - alpha6_y;
     /* sines and cosines of the joint angles */
     const iiwa7_real c7 = cos(q[6]);
-    const iiwa7_real s7 = sin(again[6]);
+    const iiwa7_real s7 = sin(q[6]);
     /* link 7: angular velocity [rad/s] */
     const iiwa7_real w7_x = w6_x*c7 + w6_z*s7;
     const iiwa7_real w7_y = w6_z*c7 - w6_x*s7;
@@ -619,22 +610,19 @@ void iiwa7_bias(const iiwa7_real q[7], const iiwa7_real qd[7], iiwa7_real tau[7]
  * 103 multiplications, 94 additions = 197; 2 unary minus; 12 sine/cosine */
 void iiwa7_mass_matrix(const iiwa7_real q[7], iiwa7_real M[49])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa7_real *const again = q;
     /* sines and cosines of the joint angles */
     const iiwa7_real c2 = cos(q[1]);
-    const iiwa7_real s2 = sin(again[1]);
+    const iiwa7_real s2 = sin(q[1]);
     const iiwa7_real c3 = cos(q[2]);
-    const iiwa7_real s3 = sin(again[2]);
+    const iiwa7_real s3 = sin(q[2]);
     const iiwa7_real c4 = cos(q[3]);
-    const iiwa7_real s4 = sin(again[3]);
+    const iiwa7_real s4 = sin(q[3]);
     const iiwa7_real c5 = cos(q[4]);
-    const iiwa7_real s5 = sin(again[4]);
+    const iiwa7_real s5 = sin(q[4]);
     const iiwa7_real c6 = cos(q[5]);
-    const iiwa7_real s6 = sin(again[5]);
+    const iiwa7_real s6 = sin(q[5]);
     const iiwa7_real c7 = cos(q[6]);
-    const iiwa7_real s7 = sin(again[6]);
+    const iiwa7_real s7 = sin(q[6]);
     /* link 6: moment for a unit acceleration of a joint further out */
     const iiwa7_real nu6_x = 0.002872*s6;
     /* link 5: moment for a unit acceleration of a joint further out */
@@ -805,15 +793,12 @@ void iiwa7_forward_dynamics(
     const iiwa7_real tau[7],
     iiwa7_real qdd[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile iiwa7_real *const again = q;
     /* sines and cosines of the joint angles */
     const iiwa7_real c2 = cos(q[1]);
     /* link 2: angular velocity [rad/s] */
     const iiwa7_real w2_y = -c2*qd[0];
     /* sines and cosines of the joint angles */
-    const iiwa7_real s2 = sin(again[1]);
+    const iiwa7_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const iiwa7_real w2_x = -qd[0]*s2;
     /* link 2: angular acceleration [rad/s^2] */
@@ -829,7 +814,7 @@ void iiwa7_forward_dynamics(
     const iiwa7_real neg_lam2_11 = ww2_zz + ww2_yy;
     const iiwa7_real neg_lam2_33 = qd[0]*qd[0];
     /* sines and cosines of the joint angles */
-    const iiwa7_real s3 = sin(again[2]);
+    const iiwa7_real s3 = sin(q[2]);
     const iiwa7_real c3 = cos(q[2]);
     /* link 3: angular velocity [rad/s] */
     const iiwa7_real w3_y = qd[1]*c3 - w2_x*s3;
@@ -851,7 +836,7 @@ void iiwa7_forward_dynamics(
     const iiwa7_real lam3_32 = alpha3_x + ww3_yz;
     const iiwa7_real neg_lam3_31 = alpha3_y - ww3_zx;
     /* sines and cosines of the joint angles */
-    const iiwa7_real s4 = sin(again[3]);
+    const iiwa7_real s4 = sin(q[3]);
     const iiwa7_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const iiwa7_real w4_y = w3_z*c4 - w3_x*s4;
@@ -875,7 +860,7 @@ void iiwa7_forward_dynamics(
     const iiwa7_real neg_lam4_33 = ww3_xx + ww3_zz;
     const iiwa7_real lam4_31 = ww4_zx - alpha4_y;
     /* sines and cosines of the joint angles */
-    const iiwa7_real s5 = sin(again[4]);
+    const iiwa7_real s5 = sin(q[4]);
     const iiwa7_real c5 = cos(q[4]);
     /* link 5: angular velocity [rad/s] */
     const iiwa7_real w5_y = -w4_x*s5 - w4_z*c5;
@@ -903,7 +888,7 @@ void iiwa7_forward_dynamics(
     const iiwa7_real lam5_31 = ww5_zx - alpha5_y;
     /* sines and cosines of the joint angles */
     const iiwa7_real c6 = cos(q[5]);
-    const iiwa7_real s6 = sin(again[5]);
+    const iiwa7_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const iiwa7_real w6_x = w5_x*c6 - w5_z*s6;
     const iiwa7_real w6_z = w5_y + qd[5];
@@ -926,7 +911,7 @@ void iiwa7_forward_dynamics(
     const iiwa7_real lam6_31 = ww6_zx - alpha6_y;
     /* sines and cosines of the joint angles */
     const iiwa7_real c7 = cos(q[6]);
-    const iiwa7_real s7 = sin(again[6]);
+    const iiwa7_real s7 = sin(q[6]);
     /* link 7: angular velocity [rad/s] */
     const iiwa7_real w7_x = w6_x*c7 + w6_z*s7;
     const iiwa7_real w7_y = w6_z*c7 - w6_x*s7;

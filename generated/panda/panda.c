@@ -58,11 +58,8 @@ void panda_inverse_dynamics(
     const panda_real qdd[7],
     panda_real tau[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile panda_real *const again = q;
     /* sines and cosines of the joint angles */
-    const panda_real s2 = sin(again[1]);
+    const panda_real s2 = sin(q[1]);
     const panda_real t1 = -s2;
     /* link 2: angular velocity [rad/s] */
     const panda_real w2_x = t1*qd[0];
@@ -78,7 +75,7 @@ void panda_inverse_dynamics(
     const panda_real alpha2_x = ww2_yz - lam2_23;
     /* sines and cosines of the joint angles */
     const panda_real c3 = cos(q[2]);
-    const panda_real s3 = sin(again[2]);
+    const panda_real s3 = sin(q[2]);
     /* link 3: angular velocity [rad/s] */
     const panda_real w3_x = w2_x*c3 + qd[1]*s3;
     const panda_real w3_z = qd[2] - w2_y;
@@ -93,7 +90,7 @@ void panda_inverse_dynamics(
     const panda_real neg_lam3_11 = ww3_yy + ww3_zz;
     /* sines and cosines of the joint angles */
     const panda_real c4 = cos(q[3]);
-    const panda_real s4 = sin(again[3]);
+    const panda_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const panda_real w4_x = -w3_z*s4 - w3_x*c4;
     const panda_real w4_z = qd[3] - w3_y;
@@ -106,7 +103,7 @@ void panda_inverse_dynamics(
     const panda_real ww4_yz = w4_z*w4_y;
     /* sines and cosines of the joint angles */
     const panda_real c5 = cos(q[4]);
-    const panda_real s5 = sin(again[4]);
+    const panda_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const panda_real w5_x = -w4_z*s5 - w4_x*c5;
     const panda_real w5_z = qd[4] - w4_y;
@@ -123,7 +120,7 @@ void panda_inverse_dynamics(
     const panda_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const panda_real c6 = cos(q[5]);
-    const panda_real s6 = sin(again[5]);
+    const panda_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const panda_real w6_x = w5_x*c6 + w5_z*s6;
     const panda_real w6_z = qd[5] - w5_y;
@@ -136,7 +133,7 @@ void panda_inverse_dynamics(
     const panda_real neg_w7_z = w6_y - qd[6];
     /* sines and cosines of the joint angles */
     const panda_real c7 = cos(q[6]);
-    const panda_real s7 = sin(again[6]);
+    const panda_real s7 = sin(q[6]);
     /* link 2: products of the angular velocity [1/s^2] */
     const panda_real ww2_zz = qd[1]*qd[1];
     /* link 3: angular acceleration [rad/s^2] */
@@ -361,11 +358,8 @@ void panda_inverse_dynamics(
  * 42 multiplications, 29 additions = 71; 1 unary minus; 12 sine/cosine */
 void panda_gravity(const panda_real q[7], panda_real tau[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile panda_real *const again = q;
     /* sines and cosines of the joint angles */
-    const panda_real s7 = sin(again[6]);
+    const panda_real s7 = sin(q[6]);
     const panda_real c7 = cos(q[6]);
     /* link 7: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const panda_real hw7_y = 0.02524706869282775*s7 + 0.019957855994472883*c7;
@@ -373,13 +367,13 @@ void panda_gravity(const panda_real q[7], panda_real tau[7])
     const panda_real c6 = cos(q[5]);
     const panda_real c5 = cos(q[4]);
     const panda_real c4 = cos(q[3]);
-    const panda_real s2 = sin(again[1]);
+    const panda_real s2 = sin(q[1]);
     const panda_real c3 = cos(q[2]);
     const panda_real c2 = cos(q[1]);
-    const panda_real s4 = sin(again[3]);
-    const panda_real s5 = sin(again[4]);
-    const panda_real s3 = sin(again[2]);
-    const panda_real s6 = sin(again[5]);
+    const panda_real s4 = sin(q[3]);
+    const panda_real s5 = sin(q[4]);
+    const panda_real s3 = sin(q[2]);
+    const panda_real s6 = sin(q[5]);
     /* link 7: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const panda_real hw7_x = 0.02524706869282775*c7 - 0.019957855994472883*s7;
     const panda_real t1 = s2*c3;
@@ -430,11 +424,8 @@ void panda_gravity(const panda_real q[7], panda_real tau[7])
  * 257 multiplications, 242 additions = 499; 1 unary minus; 12 sine/cosine */
 void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile panda_real *const again = q;
     /* sines and cosines of the joint angles */
-    const panda_real s2 = sin(again[1]);
+    const panda_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const panda_real neg_w2_x = s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -445,7 +436,7 @@ void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7]
     const panda_real neg_ww2_yz = neg_w2_y*qd[1];
     /* sines and cosines of the joint angles */
     const panda_real c3 = cos(q[2]);
-    const panda_real s3 = sin(again[2]);
+    const panda_real s3 = sin(q[2]);
     /* link 3: angular velocity [rad/s] */
     const panda_real neg_w3_x = neg_w2_x*c3 - qd[1]*s3;
     const panda_real w3_z = neg_w2_y + qd[2];
@@ -460,7 +451,7 @@ void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7]
     const panda_real neg_lam3_11 = ww3_yy + ww3_zz;
     /* sines and cosines of the joint angles */
     const panda_real c4 = cos(q[3]);
-    const panda_real s4 = sin(again[3]);
+    const panda_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const panda_real neg_w4_x = w3_z*s4 - neg_w3_x*c4;
     const panda_real neg_w4_z = w3_y - qd[3];
@@ -473,7 +464,7 @@ void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7]
     const panda_real ww4_yz = neg_w4_z*neg_w4_y;
     /* sines and cosines of the joint angles */
     const panda_real c5 = cos(q[4]);
-    const panda_real s5 = sin(again[4]);
+    const panda_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const panda_real w5_x = neg_w4_x*c5 + neg_w4_z*s5;
     const panda_real w5_z = neg_w4_y + qd[4];
@@ -490,7 +481,7 @@ void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7]
     const panda_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const panda_real c6 = cos(q[5]);
-    const panda_real s6 = sin(again[5]);
+    const panda_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const panda_real w6_x = w5_x*c6 + w5_z*s6;
     const panda_real w6_z = neg_w5_y + qd[5];
@@ -503,7 +494,7 @@ void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7]
     const panda_real w7_z = qd[6] - w6_y;
     /* sines and cosines of the joint angles */
     const panda_real c7 = cos(q[6]);
-    const panda_real s7 = sin(again[6]);
+    const panda_real s7 = sin(q[6]);
     /* link 2: products of the angular velocity [1/s^2] */
     const panda_real ww2_zz = qd[1]*qd[1];
     /* link 3: angular acceleration [rad/s^2] */
@@ -713,22 +704,19 @@ void panda_bias(const panda_real q[7], const panda_real qd[7], panda_real tau[7]
  * 170 multiplications, 163 additions = 333; 2 unary minus; 12 sine/cosine */
 void panda_mass_matrix(const panda_real q[7], panda_real M[49])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile panda_real *const again = q;
     /* sines and cosines of the joint angles */
     const panda_real c2 = cos(q[1]);
-    const panda_real s2 = sin(again[1]);
+    const panda_real s2 = sin(q[1]);
     const panda_real c3 = cos(q[2]);
-    const panda_real s3 = sin(again[2]);
+    const panda_real s3 = sin(q[2]);
     const panda_real c4 = cos(q[3]);
-    const panda_real s4 = sin(again[3]);
+    const panda_real s4 = sin(q[3]);
     const panda_real c5 = cos(q[4]);
-    const panda_real s5 = sin(again[4]);
+    const panda_real s5 = sin(q[4]);
     const panda_real c6 = cos(q[5]);
-    const panda_real s6 = sin(again[5]);
+    const panda_real s6 = sin(q[5]);
     const panda_real c7 = cos(q[6]);
-    const panda_real s7 = sin(again[6]);
+    const panda_real s7 = sin(q[6]);
     const panda_real t1 = 0.000179030716362244*(s7 - 1.2650190832031087*c7);
     const panda_real t2 = 5.270530539521458*t1;
     const panda_real t3 = 0.002420943778521227*c7;
@@ -943,11 +931,8 @@ void panda_forward_dynamics(
     const panda_real tau[7],
     panda_real qdd[7])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile panda_real *const again = q;
     /* sines and cosines of the joint angles */
-    const panda_real s2 = sin(again[1]);
+    const panda_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const panda_real neg_w2_x = s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -958,7 +943,7 @@ void panda_forward_dynamics(
     const panda_real neg_ww2_yz = neg_w2_y*qd[1];
     /* sines and cosines of the joint angles */
     const panda_real c3 = cos(q[2]);
-    const panda_real s3 = sin(again[2]);
+    const panda_real s3 = sin(q[2]);
     /* link 3: angular velocity [rad/s] */
     const panda_real neg_w3_x = neg_w2_x*c3 - qd[1]*s3;
     const panda_real w3_z = neg_w2_y + qd[2];
@@ -973,7 +958,7 @@ void panda_forward_dynamics(
     const panda_real neg_lam3_11 = ww3_yy + ww3_zz;
     /* sines and cosines of the joint angles */
     const panda_real c4 = cos(q[3]);
-    const panda_real s4 = sin(again[3]);
+    const panda_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const panda_real neg_w4_x = w3_z*s4 - neg_w3_x*c4;
     const panda_real neg_w4_z = w3_y - qd[3];
@@ -986,7 +971,7 @@ void panda_forward_dynamics(
     const panda_real ww4_yz = neg_w4_z*neg_w4_y;
     /* sines and cosines of the joint angles */
     const panda_real c5 = cos(q[4]);
-    const panda_real s5 = sin(again[4]);
+    const panda_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const panda_real w5_x = neg_w4_x*c5 + neg_w4_z*s5;
     const panda_real w5_z = neg_w4_y + qd[4];
@@ -1003,7 +988,7 @@ void panda_forward_dynamics(
     const panda_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const panda_real c6 = cos(q[5]);
-    const panda_real s6 = sin(again[5]);
+    const panda_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const panda_real w6_x = w5_x*c6 + w5_z*s6;
     const panda_real w6_z = neg_w5_y + qd[5];
@@ -1016,7 +1001,7 @@ void panda_forward_dynamics(
     const panda_real w7_z = qd[6] - w6_y;
     /* sines and cosines of the joint angles */
     const panda_real c7 = cos(q[6]);
-    const panda_real s7 = sin(again[6]);
+    const panda_real s7 = sin(q[6]);
     /* link 2: products of the angular velocity [1/s^2] */
     const panda_real ww2_zz = qd[1]*qd[1];
     /* link 3: angular acceleration [rad/s^2] */

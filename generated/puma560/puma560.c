@@ -63,13 +63,10 @@ void puma560_inverse_dynamics(
     const puma560_real qdd[6],
     puma560_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const puma560_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_real angle23 = q[1] + q[2];
+    const puma560_real angle23 = q[1] + q[2];
     const puma560_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_real neg_w3_x = s23*qd[0];
@@ -98,7 +95,7 @@ void puma560_inverse_dynamics(
     const puma560_real neg_lam3_31 = neg_ww3_zx + alpha3_y;
     const puma560_real lam3_21 = alpha3_z + ww3_xy;
     /* sines and cosines of the joint angles */
-    const puma560_real s4 = sin(again[3]);
+    const puma560_real s4 = sin(q[3]);
     const puma560_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_real w4_y = neg_w3_x*s4 + w3_z*c4;
@@ -112,7 +109,7 @@ void puma560_inverse_dynamics(
     const puma560_real neg_ww4_zx = w4_z*neg_w4_x;
     /* sines and cosines of the joint angles */
     const puma560_real c5 = cos(q[4]);
-    const puma560_real s5 = sin(again[4]);
+    const puma560_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_real w5_y = neg_w4_x*s5 - w4_z*c5;
@@ -127,7 +124,7 @@ void puma560_inverse_dynamics(
     const puma560_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
     const puma560_real c2 = cos(q[1]);
-    const puma560_real s2 = sin(again[1]);
+    const puma560_real s2 = sin(q[1]);
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_real ww2_zz = qd[1]*qd[1];
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -232,32 +229,29 @@ void puma560_inverse_dynamics(
  * 12 multiplications, 7 additions = 19; 2 unary minus; 8 sine/cosine */
 void puma560_gravity(const puma560_real q[6], puma560_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_real c5 = cos(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_real hw5_y = -0.028224*c5;
     /* sines and cosines of the joint angles */
     const puma560_real c4 = cos(q[3]);
-    const volatile puma560_real angle23 = q[1] + q[2];
+    const puma560_real angle23 = q[1] + q[2];
     const puma560_real s23 = sin(angle23);
     const puma560_real c23 = cos(angle23);
-    const puma560_real s5 = sin(again[4]);
+    const puma560_real s5 = sin(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_real hw5_x = 0.028224*s5;
     /* link 5: joint torque [N m], at a prismatic joint force [N] */
     const puma560_real tau5 = hw5_y*(c4*s23) - c23*hw5_x;
     /* sines and cosines of the joint angles */
-    const puma560_real s4 = sin(again[3]);
+    const puma560_real s4 = sin(q[3]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_real hw4_y = hw5_x*s4;
     /* link 4: joint torque [N m], at a prismatic joint force [N] */
     const puma560_real tau4 = s23*hw4_y;
     /* sines and cosines of the joint angles */
     const puma560_real c2 = cos(q[1]);
-    const puma560_real s2 = sin(again[1]);
+    const puma560_real s2 = sin(q[1]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_real hw4_x = c4*hw5_x;
     /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
@@ -278,13 +272,10 @@ void puma560_gravity(const puma560_real q[6], puma560_real tau[6])
  * 128 multiplications, 92 additions = 220; 0 unary minus; 8 sine/cosine */
 void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const puma560_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_real angle23 = q[1] + q[2];
+    const puma560_real angle23 = q[1] + q[2];
     const puma560_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_real neg_w3_x = s23*qd[0];
@@ -302,7 +293,7 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_real neg_lam3_11 = ww3_yy + ww3_zz;
     /* sines and cosines of the joint angles */
-    const puma560_real s4 = sin(again[3]);
+    const puma560_real s4 = sin(q[3]);
     const puma560_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_real w4_y = neg_w3_x*s4 + w3_z*c4;
@@ -313,7 +304,7 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
     const puma560_real neg_ww4_zx = w4_z*neg_w4_x;
     /* sines and cosines of the joint angles */
     const puma560_real c5 = cos(q[4]);
-    const puma560_real s5 = sin(again[4]);
+    const puma560_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_real w5_y = neg_w4_x*s5 - w4_z*c5;
@@ -328,7 +319,7 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
     const puma560_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
     const puma560_real c2 = cos(q[1]);
-    const puma560_real s2 = sin(again[1]);
+    const puma560_real s2 = sin(q[1]);
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_real ww2_zz = qd[1]*qd[1];
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -420,17 +411,14 @@ void puma560_bias(const puma560_real q[6], const puma560_real qd[6], puma560_rea
  * 55 multiplications, 55 additions = 110; 1 unary minus; 8 sine/cosine */
 void puma560_mass_matrix(const puma560_real q[6], puma560_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_real c2 = cos(q[1]);
-    const puma560_real s2 = sin(again[1]);
+    const puma560_real s2 = sin(q[1]);
     const puma560_real c4 = cos(q[3]);
-    const puma560_real s4 = sin(again[3]);
+    const puma560_real s4 = sin(q[3]);
     const puma560_real c5 = cos(q[4]);
-    const puma560_real s5 = sin(again[4]);
-    const volatile puma560_real angle23 = q[1] + q[2];
+    const puma560_real s5 = sin(q[4]);
+    const puma560_real angle23 = q[1] + q[2];
     const puma560_real c23 = cos(angle23);
     const puma560_real s23 = sin(angle23);
     /* link 5: moment for a unit acceleration of a joint further out */
@@ -540,13 +528,10 @@ void puma560_forward_dynamics(
     const puma560_real tau[6],
     puma560_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const puma560_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_real angle23 = q[1] + q[2];
+    const puma560_real angle23 = q[1] + q[2];
     const puma560_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_real w3_x = -s23*qd[0];
@@ -565,7 +550,7 @@ void puma560_forward_dynamics(
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_real neg_lam3_11 = ww3_yy + ww3_zz;
     /* sines and cosines of the joint angles */
-    const puma560_real s4 = sin(again[3]);
+    const puma560_real s4 = sin(q[3]);
     const puma560_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_real w4_y = w3_z*c4 - w3_x*s4;
@@ -576,7 +561,7 @@ void puma560_forward_dynamics(
     const puma560_real ww4_zx = w4_z*w4_x;
     /* sines and cosines of the joint angles */
     const puma560_real c5 = cos(q[4]);
-    const puma560_real s5 = sin(again[4]);
+    const puma560_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_real w5_x = w4_x*c5 - w4_z*s5;
     const puma560_real w5_y = -w4_z*c5 - w4_x*s5;
@@ -591,7 +576,7 @@ void puma560_forward_dynamics(
     const puma560_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
     const puma560_real c2 = cos(q[1]);
-    const puma560_real s2 = sin(again[1]);
+    const puma560_real s2 = sin(q[1]);
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_real ww2_zz = qd[1]*qd[1];
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */

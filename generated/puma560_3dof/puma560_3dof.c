@@ -53,13 +53,10 @@ void puma560_3dof_inverse_dynamics(
     const puma560_3dof_real qdd[3],
     puma560_3dof_real tau[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_3dof_real c2 = cos(q[1]);
-    const puma560_3dof_real s2 = sin(again[1]);
-    const volatile puma560_3dof_real angle23 = q[1] + q[2];
+    const puma560_3dof_real s2 = sin(q[1]);
+    const puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real c23 = cos(angle23);
     const puma560_3dof_real s23 = sin(angle23);
     /* link 2: products of the angular velocity [1/s^2] */
@@ -109,17 +106,14 @@ void puma560_3dof_inverse_dynamics(
  * 3 multiplications, 3 additions = 6; 0 unary minus; 3 sine/cosine */
 void puma560_3dof_gravity(const puma560_3dof_real q[3], puma560_3dof_real tau[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
-    const volatile puma560_3dof_real angle23 = q[1] + q[2];
+    const puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real s23 = sin(angle23);
     /* link 3: moment that turns the link [N m] */
     const puma560_3dof_real nc3_z = -3.2928*s23;
     /* sines and cosines of the joint angles */
     const puma560_3dof_real c2 = cos(q[1]);
-    const puma560_3dof_real s2 = sin(again[1]);
+    const puma560_3dof_real s2 = sin(q[1]);
     /* link 2: moment that turns the link [N m] */
     const puma560_3dof_real nc2_z = 1.02312*s2 - 31.907232*c2;
     /* link 2: moment through the joint, along the axes that its turn starts from [N m] */
@@ -136,13 +130,10 @@ void puma560_3dof_bias(
     const puma560_3dof_real qd[3],
     puma560_3dof_real tau[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_3dof_real c2 = cos(q[1]);
-    const puma560_3dof_real s2 = sin(again[1]);
-    const volatile puma560_3dof_real angle23 = q[1] + q[2];
+    const puma560_3dof_real s2 = sin(q[1]);
+    const puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real c23 = cos(angle23);
     const puma560_3dof_real s23 = sin(angle23);
     /* link 2: products of the angular velocity [1/s^2] */
@@ -178,13 +169,10 @@ void puma560_3dof_bias(
  * 12 multiplications, 12 additions = 24; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_mass_matrix(const puma560_3dof_real q[3], puma560_3dof_real M[9])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_3dof_real c2 = cos(q[1]);
-    const puma560_3dof_real s2 = sin(again[1]);
-    const volatile puma560_3dof_real angle23 = q[1] + q[2];
+    const puma560_3dof_real s2 = sin(q[1]);
+    const puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real c23 = cos(angle23);
     const puma560_3dof_real s23 = sin(angle23);
     /* link 1: mass matrix, its row of this joint */
@@ -219,13 +207,10 @@ void puma560_3dof_forward_dynamics(
     const puma560_3dof_real tau[3],
     puma560_3dof_real qdd[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_3dof_real c2 = cos(q[1]);
-    const puma560_3dof_real s2 = sin(again[1]);
-    const volatile puma560_3dof_real angle23 = q[1] + q[2];
+    const puma560_3dof_real s2 = sin(q[1]);
+    const puma560_3dof_real angle23 = q[1] + q[2];
     const puma560_3dof_real c23 = cos(angle23);
     const puma560_3dof_real s23 = sin(angle23);
     /* link 2: products of the angular velocity [1/s^2] */

@@ -48,13 +48,10 @@ void puma560_3dof_d12_inverse_dynamics(
     const puma560_3dof_d12_real qdd[3],
     puma560_3dof_d12_real tau[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_3dof_d12_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_3dof_d12_real c2 = cos(q[1]);
-    const puma560_3dof_d12_real s2 = sin(again[1]);
-    const volatile puma560_3dof_d12_real angle23 = q[1] + q[2];
+    const puma560_3dof_d12_real s2 = sin(q[1]);
+    const puma560_3dof_d12_real angle23 = q[1] + q[2];
     const puma560_3dof_d12_real c23 = cos(angle23);
     const puma560_3dof_d12_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
@@ -97,7 +94,7 @@ void puma560_3dof_d12_inverse_dynamics(
 void puma560_3dof_d12_gravity(const puma560_3dof_d12_real q[3], puma560_3dof_d12_real tau[3])
 {
     /* sines and cosines of the joint angles */
-    const volatile puma560_3dof_d12_real angle23 = q[1] + q[2];
+    const puma560_3dof_d12_real angle23 = q[1] + q[2];
     const puma560_3dof_d12_real s23 = sin(angle23);
     /* link 3: moment that turns the link [N m] */
     const puma560_3dof_d12_real nc3_z = -4.1503*s23;
@@ -119,13 +116,10 @@ void puma560_3dof_d12_bias(
     const puma560_3dof_d12_real qd[3],
     puma560_3dof_d12_real tau[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_3dof_d12_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_3dof_d12_real c2 = cos(q[1]);
-    const puma560_3dof_d12_real s2 = sin(again[1]);
-    const volatile puma560_3dof_d12_real angle23 = q[1] + q[2];
+    const puma560_3dof_d12_real s2 = sin(q[1]);
+    const puma560_3dof_d12_real angle23 = q[1] + q[2];
     const puma560_3dof_d12_real c23 = cos(angle23);
     const puma560_3dof_d12_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
@@ -159,13 +153,10 @@ void puma560_3dof_d12_bias(
  * 10 multiplications, 9 additions = 19; 0 unary minus; 4 sine/cosine */
 void puma560_3dof_d12_mass_matrix(const puma560_3dof_d12_real q[3], puma560_3dof_d12_real M[9])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_3dof_d12_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_3dof_d12_real c2 = cos(q[1]);
-    const puma560_3dof_d12_real s2 = sin(again[1]);
-    const volatile puma560_3dof_d12_real angle23 = q[1] + q[2];
+    const puma560_3dof_d12_real s2 = sin(q[1]);
+    const puma560_3dof_d12_real angle23 = q[1] + q[2];
     const puma560_3dof_d12_real c23 = cos(angle23);
     const puma560_3dof_d12_real s23 = sin(angle23);
     /* link 1: mass matrix, its row of this joint */
@@ -196,13 +187,10 @@ void puma560_3dof_d12_forward_dynamics(
     const puma560_3dof_d12_real tau[3],
     puma560_3dof_d12_real qdd[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_3dof_d12_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_3dof_d12_real c2 = cos(q[1]);
-    const puma560_3dof_d12_real s2 = sin(again[1]);
-    const volatile puma560_3dof_d12_real angle23 = q[1] + q[2];
+    const puma560_3dof_d12_real s2 = sin(q[1]);
+    const puma560_3dof_d12_real angle23 = q[1] + q[2];
     const puma560_3dof_d12_real c23 = cos(angle23);
     const puma560_3dof_d12_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */

@@ -51,13 +51,10 @@ void puma560_d2_inverse_dynamics(
     const puma560_d2_real qdd[6],
     puma560_d2_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_d2_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const puma560_d2_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_d2_real angle23 = q[1] + q[2];
+    const puma560_d2_real angle23 = q[1] + q[2];
     const puma560_d2_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_d2_real neg_w3_x = s23*qd[0];
@@ -80,7 +77,7 @@ void puma560_d2_inverse_dynamics(
     const puma560_d2_real neg_lam3_31 = neg_ww3_zx + alpha3_y;
     const puma560_d2_real lam3_21 = alpha3_z + ww3_xy;
     /* sines and cosines of the joint angles */
-    const puma560_d2_real s4 = sin(again[3]);
+    const puma560_d2_real s4 = sin(q[3]);
     const puma560_d2_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_d2_real w4_y = w3_z*c4 + neg_w3_x*s4;
@@ -94,7 +91,7 @@ void puma560_d2_inverse_dynamics(
     const puma560_d2_real neg_ww4_zx = w4_z*neg_w4_x;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c5 = cos(q[4]);
-    const puma560_d2_real s5 = sin(again[4]);
+    const puma560_d2_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_d2_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_d2_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
@@ -107,7 +104,7 @@ void puma560_d2_inverse_dynamics(
     const puma560_d2_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c2 = cos(q[1]);
-    const puma560_d2_real s2 = sin(again[1]);
+    const puma560_d2_real s2 = sin(q[1]);
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_d2_real ww2_zz = qd[1]*qd[1];
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -200,25 +197,22 @@ void puma560_d2_inverse_dynamics(
  * 11 multiplications, 6 additions = 17; 2 unary minus; 7 sine/cosine */
 void puma560_d2_gravity(const puma560_d2_real q[6], puma560_d2_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_d2_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c5 = cos(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_d2_real hw5_y = -0.028224*c5;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c4 = cos(q[3]);
-    const volatile puma560_d2_real angle23 = q[1] + q[2];
+    const puma560_d2_real angle23 = q[1] + q[2];
     const puma560_d2_real s23 = sin(angle23);
     const puma560_d2_real c23 = cos(angle23);
-    const puma560_d2_real s5 = sin(again[4]);
+    const puma560_d2_real s5 = sin(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_d2_real hw5_x = 0.028224*s5;
     /* link 5: joint torque [N m], at a prismatic joint force [N] */
     const puma560_d2_real tau5 = hw5_y*(c4*s23) - c23*hw5_x;
     /* sines and cosines of the joint angles */
-    const puma560_d2_real s4 = sin(again[3]);
+    const puma560_d2_real s4 = sin(q[3]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_d2_real hw4_y = hw5_x*s4;
     /* link 4: joint torque [N m], at a prismatic joint force [N] */
@@ -248,13 +242,10 @@ void puma560_d2_bias(
     const puma560_d2_real qd[6],
     puma560_d2_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_d2_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const puma560_d2_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_d2_real angle23 = q[1] + q[2];
+    const puma560_d2_real angle23 = q[1] + q[2];
     const puma560_d2_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_d2_real neg_w3_x = s23*qd[0];
@@ -270,7 +261,7 @@ void puma560_d2_bias(
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_d2_real neg_lam3_31 = 2.0*neg_ww3_zx;
     /* sines and cosines of the joint angles */
-    const puma560_d2_real s4 = sin(again[3]);
+    const puma560_d2_real s4 = sin(q[3]);
     const puma560_d2_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_d2_real w4_y = w3_z*c4 + neg_w3_x*s4;
@@ -281,7 +272,7 @@ void puma560_d2_bias(
     const puma560_d2_real neg_ww4_zx = w4_z*neg_w4_x;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c5 = cos(q[4]);
-    const puma560_d2_real s5 = sin(again[4]);
+    const puma560_d2_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_d2_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_d2_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
@@ -294,7 +285,7 @@ void puma560_d2_bias(
     const puma560_d2_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c2 = cos(q[1]);
-    const puma560_d2_real s2 = sin(again[1]);
+    const puma560_d2_real s2 = sin(q[1]);
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_d2_real ww2_zz = qd[1]*qd[1];
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -385,17 +376,14 @@ void puma560_d2_bias(
  * 53 multiplications, 49 additions = 102; 0 unary minus; 8 sine/cosine */
 void puma560_d2_mass_matrix(const puma560_d2_real q[6], puma560_d2_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_d2_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c2 = cos(q[1]);
-    const puma560_d2_real s2 = sin(again[1]);
+    const puma560_d2_real s2 = sin(q[1]);
     const puma560_d2_real c4 = cos(q[3]);
-    const puma560_d2_real s4 = sin(again[3]);
+    const puma560_d2_real s4 = sin(q[3]);
     const puma560_d2_real c5 = cos(q[4]);
-    const puma560_d2_real s5 = sin(again[4]);
-    const volatile puma560_d2_real angle23 = q[1] + q[2];
+    const puma560_d2_real s5 = sin(q[4]);
+    const puma560_d2_real angle23 = q[1] + q[2];
     const puma560_d2_real c23 = cos(angle23);
     const puma560_d2_real s23 = sin(angle23);
     /* link 5: moment for a unit acceleration of a joint further out */
@@ -505,13 +493,10 @@ void puma560_d2_forward_dynamics(
     const puma560_d2_real tau[6],
     puma560_d2_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_d2_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const puma560_d2_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_d2_real angle23 = q[1] + q[2];
+    const puma560_d2_real angle23 = q[1] + q[2];
     const puma560_d2_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_d2_real neg_w3_x = s23*qd[0];
@@ -527,7 +512,7 @@ void puma560_d2_forward_dynamics(
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
     const puma560_d2_real neg_lam3_31 = 2.0*neg_ww3_zx;
     /* sines and cosines of the joint angles */
-    const puma560_d2_real s4 = sin(again[3]);
+    const puma560_d2_real s4 = sin(q[3]);
     const puma560_d2_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_d2_real w4_y = w3_z*c4 + neg_w3_x*s4;
@@ -538,7 +523,7 @@ void puma560_d2_forward_dynamics(
     const puma560_d2_real neg_ww4_zx = w4_z*neg_w4_x;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c5 = cos(q[4]);
-    const puma560_d2_real s5 = sin(again[4]);
+    const puma560_d2_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_d2_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_d2_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
@@ -551,7 +536,7 @@ void puma560_d2_forward_dynamics(
     const puma560_d2_real neg_lam5_22 = ww5_xx + ww5_zz;
     /* sines and cosines of the joint angles */
     const puma560_d2_real c2 = cos(q[1]);
-    const puma560_d2_real s2 = sin(again[1]);
+    const puma560_d2_real s2 = sin(q[1]);
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_d2_real ww2_zz = qd[1]*qd[1];
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */

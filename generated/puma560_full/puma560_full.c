@@ -52,15 +52,12 @@ void puma560_full_inverse_dynamics(
     const puma560_full_real qdd[6],
     puma560_full_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_full_real *const again = q;
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_full_real ww1_zz = qd[0]*qd[0];
     /* link 3: angular velocity [rad/s] */
     const puma560_full_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real angle23 = q[1] + q[2];
     const puma560_full_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_full_real neg_w3_x = qd[0]*s23;
@@ -94,7 +91,7 @@ void puma560_full_inverse_dynamics(
     const puma560_full_real lam3_21 = alpha3_z + ww3_xy;
     /* sines and cosines of the joint angles */
     const puma560_full_real c4 = cos(q[3]);
-    const puma560_full_real s4 = sin(again[3]);
+    const puma560_full_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_full_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
     const puma560_full_real w4_z = neg_w3_y + qd[3];
@@ -113,7 +110,7 @@ void puma560_full_inverse_dynamics(
     const puma560_full_real neg_lam4_12 = alpha4_z + neg_ww4_xy;
     /* sines and cosines of the joint angles */
     const puma560_full_real c5 = cos(q[4]);
-    const puma560_full_real s5 = sin(again[4]);
+    const puma560_full_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_full_real w5_z = w4_y + qd[4];
@@ -128,9 +125,9 @@ void puma560_full_inverse_dynamics(
     const puma560_full_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
     const puma560_full_real c6 = cos(q[5]);
-    const puma560_full_real s6 = sin(again[5]);
+    const puma560_full_real s6 = sin(q[5]);
     const puma560_full_real c2 = cos(q[1]);
-    const puma560_full_real s2 = sin(again[1]);
+    const puma560_full_real s2 = sin(q[1]);
     /* link 4: angular acceleration [rad/s^2] */
     const puma560_full_real alpha4_x = alpha3_z*s4 - (neg_alpha3_x*c4 - qd[3]*w4_y);
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -302,25 +299,22 @@ void puma560_full_inverse_dynamics(
  * 24 multiplications, 18 additions = 42; 1 unary minus; 10 sine/cosine */
 void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_full_real *const again = q;
     /* sines and cosines of the joint angles */
-    const puma560_full_real s6 = sin(again[5]);
+    const puma560_full_real s6 = sin(q[5]);
     const puma560_full_real c6 = cos(q[5]);
     /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_full_real hw6_y = 12.715664641298892*c6 - 10.96166739312846*s6;
     /* sines and cosines of the joint angles */
     const puma560_full_real c5 = cos(q[4]);
     const puma560_full_real c4 = cos(q[3]);
-    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real angle23 = q[1] + q[2];
     const puma560_full_real s23 = sin(angle23);
-    const puma560_full_real s5 = sin(again[4]);
+    const puma560_full_real s5 = sin(q[4]);
     const puma560_full_real c23 = cos(angle23);
     /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_full_real hw6_x = -12.715664641298892*s6 - 10.96166739312846*c6;
     /* sines and cosines of the joint angles */
-    const puma560_full_real s4 = sin(again[3]);
+    const puma560_full_real s4 = sin(q[3]);
     const puma560_full_real t1 = c4*s23;
     const puma560_full_real t2 = s23*s4;
     /* link 6: joint torque [N m], at a prismatic joint force [N] */
@@ -337,7 +331,7 @@ void puma560_full_gravity(const puma560_full_real q[6], puma560_full_real tau[6]
     const puma560_full_real tau4 = t2*t4 - t1*t5;
     /* sines and cosines of the joint angles */
     const puma560_full_real c2 = cos(q[1]);
-    const puma560_full_real s2 = sin(again[1]);
+    const puma560_full_real s2 = sin(q[1]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_full_real hw4_x = c4*t4 + s4*t5;
     /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
@@ -360,15 +354,12 @@ void puma560_full_bias(
     const puma560_full_real qd[6],
     puma560_full_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_full_real *const again = q;
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_full_real ww1_zz = qd[0]*qd[0];
     /* link 3: angular velocity [rad/s] */
     const puma560_full_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real angle23 = q[1] + q[2];
     const puma560_full_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_full_real neg_w3_x = qd[0]*s23;
@@ -387,7 +378,7 @@ void puma560_full_bias(
     const puma560_full_real lam3_32 = -2.0*neg_ww3_yz;
     /* sines and cosines of the joint angles */
     const puma560_full_real c4 = cos(q[3]);
-    const puma560_full_real s4 = sin(again[3]);
+    const puma560_full_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_full_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
     const puma560_full_real w4_z = neg_w3_y + qd[3];
@@ -404,7 +395,7 @@ void puma560_full_bias(
     const puma560_full_real lam4_12 = neg_ww3_zx - neg_ww4_xy;
     /* sines and cosines of the joint angles */
     const puma560_full_real c5 = cos(q[4]);
-    const puma560_full_real s5 = sin(again[4]);
+    const puma560_full_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_full_real w5_z = w4_y + qd[4];
@@ -419,9 +410,9 @@ void puma560_full_bias(
     const puma560_full_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
     const puma560_full_real c6 = cos(q[5]);
-    const puma560_full_real s6 = sin(again[5]);
+    const puma560_full_real s6 = sin(q[5]);
     const puma560_full_real c2 = cos(q[1]);
-    const puma560_full_real s2 = sin(again[1]);
+    const puma560_full_real s2 = sin(q[1]);
     /* link 4: angular acceleration [rad/s^2] */
     const puma560_full_real neg_alpha4_x = neg_ww3_yz*c4 - qd[3]*w4_y;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -580,19 +571,16 @@ void puma560_full_bias(
  * 116 multiplications, 110 additions = 226; 0 unary minus; 10 sine/cosine */
 void puma560_full_mass_matrix(const puma560_full_real q[6], puma560_full_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_full_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_full_real c2 = cos(q[1]);
-    const puma560_full_real s2 = sin(again[1]);
+    const puma560_full_real s2 = sin(q[1]);
     const puma560_full_real c4 = cos(q[3]);
-    const puma560_full_real s4 = sin(again[3]);
+    const puma560_full_real s4 = sin(q[3]);
     const puma560_full_real c5 = cos(q[4]);
-    const puma560_full_real s5 = sin(again[4]);
+    const puma560_full_real s5 = sin(q[4]);
     const puma560_full_real c6 = cos(q[5]);
-    const puma560_full_real s6 = sin(again[5]);
-    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real s6 = sin(q[5]);
+    const puma560_full_real angle23 = q[1] + q[2];
     const puma560_full_real c23 = cos(angle23);
     const puma560_full_real s23 = sin(angle23);
     const puma560_full_real t1 = 1.1185374890947408*s6;
@@ -761,15 +749,12 @@ void puma560_full_forward_dynamics(
     const puma560_full_real tau[6],
     puma560_full_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_full_real *const again = q;
     /* link 1: products of the angular velocity [1/s^2] */
     const puma560_full_real ww1_zz = qd[0]*qd[0];
     /* link 3: angular velocity [rad/s] */
     const puma560_full_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_full_real angle23 = q[1] + q[2];
+    const puma560_full_real angle23 = q[1] + q[2];
     const puma560_full_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_full_real neg_w3_x = qd[0]*s23;
@@ -788,7 +773,7 @@ void puma560_full_forward_dynamics(
     const puma560_full_real lam3_32 = -2.0*neg_ww3_yz;
     /* sines and cosines of the joint angles */
     const puma560_full_real c4 = cos(q[3]);
-    const puma560_full_real s4 = sin(again[3]);
+    const puma560_full_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_full_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
     const puma560_full_real w4_z = neg_w3_y + qd[3];
@@ -805,7 +790,7 @@ void puma560_full_forward_dynamics(
     const puma560_full_real lam4_12 = neg_ww3_zx - neg_ww4_xy;
     /* sines and cosines of the joint angles */
     const puma560_full_real c5 = cos(q[4]);
-    const puma560_full_real s5 = sin(again[4]);
+    const puma560_full_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_full_real w5_z = w4_y + qd[4];
@@ -820,9 +805,9 @@ void puma560_full_forward_dynamics(
     const puma560_full_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
     const puma560_full_real c6 = cos(q[5]);
-    const puma560_full_real s6 = sin(again[5]);
+    const puma560_full_real s6 = sin(q[5]);
     const puma560_full_real c2 = cos(q[1]);
-    const puma560_full_real s2 = sin(again[1]);
+    const puma560_full_real s2 = sin(q[1]);
     /* link 4: angular acceleration [rad/s^2] */
     const puma560_full_real neg_alpha4_x = neg_ww3_yz*c4 - qd[3]*w4_y;
     /* link 4: lambda matrix: takes a position to its acceleration [1/s^2] */

@@ -50,13 +50,10 @@ void puma560_rotor_in_link_inverse_dynamics(
     const puma560_rotor_in_link_real qdd[6],
     puma560_rotor_in_link_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_rotor_in_link_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const puma560_rotor_in_link_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_rotor_in_link_real angle23 = q[1] + q[2];
+    const puma560_rotor_in_link_real angle23 = q[1] + q[2];
     const puma560_rotor_in_link_real c23 = cos(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_rotor_in_link_real neg_w3_y = c23*qd[0];
@@ -89,7 +86,7 @@ void puma560_rotor_in_link_inverse_dynamics(
     const puma560_rotor_in_link_real neg_lam3_32 = neg_ww3_yz + neg_alpha3_x;
     const puma560_rotor_in_link_real lam3_21 = alpha3_z + ww3_xy;
     /* sines and cosines of the joint angles */
-    const puma560_rotor_in_link_real s4 = sin(again[3]);
+    const puma560_rotor_in_link_real s4 = sin(q[3]);
     const puma560_rotor_in_link_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_rotor_in_link_real w4_y = w3_z*c4 + neg_w3_x*s4;
@@ -99,7 +96,7 @@ void puma560_rotor_in_link_inverse_dynamics(
     const puma560_rotor_in_link_real alpha4_z = neg_alpha3_y + qdd[3];
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c5 = cos(q[4]);
-    const puma560_rotor_in_link_real s5 = sin(again[4]);
+    const puma560_rotor_in_link_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_rotor_in_link_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_rotor_in_link_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
@@ -118,7 +115,7 @@ void puma560_rotor_in_link_inverse_dynamics(
     const puma560_rotor_in_link_real n06_y = neg_w5_x*t1;
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c2 = cos(q[1]);
-    const puma560_rotor_in_link_real s2 = sin(again[1]);
+    const puma560_rotor_in_link_real s2 = sin(q[1]);
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_rotor_in_link_real ww2_zz = qd[1]*qd[1];
     /* link 4: angular acceleration [rad/s^2] */
@@ -215,32 +212,29 @@ void puma560_rotor_in_link_gravity(
     const puma560_rotor_in_link_real q[6],
     puma560_rotor_in_link_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_rotor_in_link_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c5 = cos(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_rotor_in_link_real hw5_y = -0.028224*c5;
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c4 = cos(q[3]);
-    const volatile puma560_rotor_in_link_real angle23 = q[1] + q[2];
+    const puma560_rotor_in_link_real angle23 = q[1] + q[2];
     const puma560_rotor_in_link_real s23 = sin(angle23);
     const puma560_rotor_in_link_real c23 = cos(angle23);
-    const puma560_rotor_in_link_real s5 = sin(again[4]);
+    const puma560_rotor_in_link_real s5 = sin(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_rotor_in_link_real hw5_x = 0.028224*s5;
     /* link 5: joint torque [N m], at a prismatic joint force [N] */
     const puma560_rotor_in_link_real tau5 = hw5_y*(c4*s23) - c23*hw5_x;
     /* sines and cosines of the joint angles */
-    const puma560_rotor_in_link_real s4 = sin(again[3]);
+    const puma560_rotor_in_link_real s4 = sin(q[3]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_rotor_in_link_real hw4_y = hw5_x*s4;
     /* link 4: joint torque [N m], at a prismatic joint force [N] */
     const puma560_rotor_in_link_real tau4 = s23*hw4_y;
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c2 = cos(q[1]);
-    const puma560_rotor_in_link_real s2 = sin(again[1]);
+    const puma560_rotor_in_link_real s2 = sin(q[1]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const puma560_rotor_in_link_real hw4_x = c4*hw5_x;
     /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
@@ -264,13 +258,10 @@ void puma560_rotor_in_link_bias(
     const puma560_rotor_in_link_real qd[6],
     puma560_rotor_in_link_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_rotor_in_link_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const puma560_rotor_in_link_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_rotor_in_link_real angle23 = q[1] + q[2];
+    const puma560_rotor_in_link_real angle23 = q[1] + q[2];
     const puma560_rotor_in_link_real c23 = cos(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_rotor_in_link_real neg_w3_y = c23*qd[0];
@@ -290,7 +281,7 @@ void puma560_rotor_in_link_bias(
     const puma560_rotor_in_link_real neg_lam3_11 = ww3_yy + ww3_zz;
     const puma560_rotor_in_link_real lam3_31 = -2.0*neg_ww3_zx;
     /* sines and cosines of the joint angles */
-    const puma560_rotor_in_link_real s4 = sin(again[3]);
+    const puma560_rotor_in_link_real s4 = sin(q[3]);
     const puma560_rotor_in_link_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_rotor_in_link_real w4_y = w3_z*c4 + neg_w3_x*s4;
@@ -298,7 +289,7 @@ void puma560_rotor_in_link_bias(
     const puma560_rotor_in_link_real w4_z = neg_w3_y + qd[3];
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c5 = cos(q[4]);
-    const puma560_rotor_in_link_real s5 = sin(again[4]);
+    const puma560_rotor_in_link_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_rotor_in_link_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_rotor_in_link_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
@@ -317,7 +308,7 @@ void puma560_rotor_in_link_bias(
     const puma560_rotor_in_link_real n06_y = neg_w5_x*t1;
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c2 = cos(q[1]);
-    const puma560_rotor_in_link_real s2 = sin(again[1]);
+    const puma560_rotor_in_link_real s2 = sin(q[1]);
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_rotor_in_link_real ww2_zz = qd[1]*qd[1];
     /* link 4: angular acceleration [rad/s^2] */
@@ -405,17 +396,14 @@ void puma560_rotor_in_link_mass_matrix(
     const puma560_rotor_in_link_real q[6],
     puma560_rotor_in_link_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_rotor_in_link_real *const again = q;
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c2 = cos(q[1]);
-    const puma560_rotor_in_link_real s2 = sin(again[1]);
+    const puma560_rotor_in_link_real s2 = sin(q[1]);
     const puma560_rotor_in_link_real c4 = cos(q[3]);
-    const puma560_rotor_in_link_real s4 = sin(again[3]);
+    const puma560_rotor_in_link_real s4 = sin(q[3]);
     const puma560_rotor_in_link_real c5 = cos(q[4]);
-    const puma560_rotor_in_link_real s5 = sin(again[4]);
-    const volatile puma560_rotor_in_link_real angle23 = q[1] + q[2];
+    const puma560_rotor_in_link_real s5 = sin(q[4]);
+    const puma560_rotor_in_link_real angle23 = q[1] + q[2];
     const puma560_rotor_in_link_real c23 = cos(angle23);
     const puma560_rotor_in_link_real s23 = sin(angle23);
     /* link 5: moment for a unit acceleration of a joint further out */
@@ -539,13 +527,10 @@ void puma560_rotor_in_link_forward_dynamics(
     const puma560_rotor_in_link_real tau[6],
     puma560_rotor_in_link_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile puma560_rotor_in_link_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const puma560_rotor_in_link_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile puma560_rotor_in_link_real angle23 = q[1] + q[2];
+    const puma560_rotor_in_link_real angle23 = q[1] + q[2];
     const puma560_rotor_in_link_real c23 = cos(angle23);
     /* link 3: angular velocity [rad/s] */
     const puma560_rotor_in_link_real neg_w3_y = c23*qd[0];
@@ -565,7 +550,7 @@ void puma560_rotor_in_link_forward_dynamics(
     const puma560_rotor_in_link_real neg_lam3_11 = ww3_yy + ww3_zz;
     const puma560_rotor_in_link_real lam3_31 = -2.0*neg_ww3_zx;
     /* sines and cosines of the joint angles */
-    const puma560_rotor_in_link_real s4 = sin(again[3]);
+    const puma560_rotor_in_link_real s4 = sin(q[3]);
     const puma560_rotor_in_link_real c4 = cos(q[3]);
     /* link 4: angular velocity [rad/s] */
     const puma560_rotor_in_link_real w4_y = w3_z*c4 + neg_w3_x*s4;
@@ -573,7 +558,7 @@ void puma560_rotor_in_link_forward_dynamics(
     const puma560_rotor_in_link_real w4_z = neg_w3_y + qd[3];
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c5 = cos(q[4]);
-    const puma560_rotor_in_link_real s5 = sin(again[4]);
+    const puma560_rotor_in_link_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const puma560_rotor_in_link_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const puma560_rotor_in_link_real neg_w5_y = w4_z*c5 - neg_w4_x*s5;
@@ -592,7 +577,7 @@ void puma560_rotor_in_link_forward_dynamics(
     const puma560_rotor_in_link_real n06_y = neg_w5_x*t1;
     /* sines and cosines of the joint angles */
     const puma560_rotor_in_link_real c2 = cos(q[1]);
-    const puma560_rotor_in_link_real s2 = sin(again[1]);
+    const puma560_rotor_in_link_real s2 = sin(q[1]);
     /* link 2: products of the angular velocity [1/s^2] */
     const puma560_rotor_in_link_real ww2_zz = qd[1]*qd[1];
     /* link 4: angular acceleration [rad/s^2] */

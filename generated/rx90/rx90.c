@@ -50,13 +50,10 @@ void rx90_inverse_dynamics(
     const rx90_real qdd[6],
     rx90_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile rx90_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const rx90_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real angle23 = q[1] + q[2];
     const rx90_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const rx90_real w3_x = s23*qd[0];
@@ -88,7 +85,7 @@ void rx90_inverse_dynamics(
     const rx90_real lam3_31 = ww3_zx - alpha3_y;
     /* sines and cosines of the joint angles */
     const rx90_real c4 = cos(q[3]);
-    const rx90_real s4 = sin(again[3]);
+    const rx90_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const rx90_real w4_x = w3_x*c4 - w3_z*s4;
     const rx90_real w4_z = w3_y + qd[3];
@@ -107,7 +104,7 @@ void rx90_inverse_dynamics(
     const rx90_real neg_lam4_22 = ww4_xx + ww4_zz;
     /* sines and cosines of the joint angles */
     const rx90_real c5 = cos(q[4]);
-    const rx90_real s5 = sin(again[4]);
+    const rx90_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const rx90_real w5_x = w4_x*c5 + w4_z*s5;
     const rx90_real w5_z = qd[4] - w4_y;
@@ -122,9 +119,9 @@ void rx90_inverse_dynamics(
     const rx90_real w6_z = w5_y + qd[5];
     /* sines and cosines of the joint angles */
     const rx90_real c6 = cos(q[5]);
-    const rx90_real s6 = sin(again[5]);
+    const rx90_real s6 = sin(q[5]);
     const rx90_real c2 = cos(q[1]);
-    const rx90_real s2 = sin(again[1]);
+    const rx90_real s2 = sin(q[1]);
     /* link 4: angular acceleration [rad/s^2] */
     const rx90_real alpha4_x = qd[3]*w4_y - (alpha3_z*s4 - alpha3_x*c4);
     /* link 5: angular acceleration [rad/s^2] */
@@ -287,25 +284,22 @@ void rx90_inverse_dynamics(
  * 24 multiplications, 18 additions = 42; 0 unary minus; 10 sine/cosine */
 void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile rx90_real *const again = q;
     /* sines and cosines of the joint angles */
-    const rx90_real s6 = sin(again[5]);
+    const rx90_real s6 = sin(q[5]);
     const rx90_real c6 = cos(q[5]);
     /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const rx90_real neg_hw6_y = 15.393524740621578*s6 - 6.14558063065061*c6;
     /* sines and cosines of the joint angles */
     const rx90_real c5 = cos(q[4]);
     const rx90_real c4 = cos(q[3]);
-    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real angle23 = q[1] + q[2];
     const rx90_real s23 = sin(angle23);
-    const rx90_real s5 = sin(again[4]);
+    const rx90_real s5 = sin(q[4]);
     const rx90_real c23 = cos(angle23);
     /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const rx90_real neg_hw6_x = 15.393524740621578*c6 + 6.14558063065061*s6;
     /* sines and cosines of the joint angles */
-    const rx90_real s4 = sin(again[3]);
+    const rx90_real s4 = sin(q[3]);
     const rx90_real t1 = c4*s23;
     const rx90_real t2 = s23*s4;
     /* link 6: joint torque [N m], at a prismatic joint force [N] */
@@ -322,7 +316,7 @@ void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
     const rx90_real tau4 = t1*t4 + t2*t5;
     /* sines and cosines of the joint angles */
     const rx90_real c2 = cos(q[1]);
-    const rx90_real s2 = sin(again[1]);
+    const rx90_real s2 = sin(q[1]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const rx90_real hw4_x = s4*t4 - c4*t5;
     /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
@@ -341,13 +335,10 @@ void rx90_gravity(const rx90_real q[6], rx90_real tau[6])
  * 191 multiplications, 173 additions = 364; 0 unary minus; 10 sine/cosine */
 void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile rx90_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const rx90_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real angle23 = q[1] + q[2];
     const rx90_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const rx90_real w3_x = s23*qd[0];
@@ -364,7 +355,7 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real lam3_32 = 2.0*ww3_yz;
     /* sines and cosines of the joint angles */
     const rx90_real c4 = cos(q[3]);
-    const rx90_real s4 = sin(again[3]);
+    const rx90_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const rx90_real w4_x = w3_x*c4 - w3_z*s4;
     const rx90_real w4_z = w3_y + qd[3];
@@ -381,7 +372,7 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real neg_lam4_22 = ww4_xx + ww4_zz;
     /* sines and cosines of the joint angles */
     const rx90_real c5 = cos(q[4]);
-    const rx90_real s5 = sin(again[4]);
+    const rx90_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const rx90_real w5_x = w4_x*c5 + w4_z*s5;
     const rx90_real w5_z = neg_w4_y + qd[4];
@@ -396,9 +387,9 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
     const rx90_real w6_z = w5_y + qd[5];
     /* sines and cosines of the joint angles */
     const rx90_real c6 = cos(q[5]);
-    const rx90_real s6 = sin(again[5]);
+    const rx90_real s6 = sin(q[5]);
     const rx90_real c2 = cos(q[1]);
-    const rx90_real s2 = sin(again[1]);
+    const rx90_real s2 = sin(q[1]);
     /* link 4: angular acceleration [rad/s^2] */
     const rx90_real alpha4_x = ww3_yz*c4 - qd[3]*neg_w4_y;
     /* link 5: angular acceleration [rad/s^2] */
@@ -549,19 +540,16 @@ void rx90_bias(const rx90_real q[6], const rx90_real qd[6], rx90_real tau[6])
  * 105 multiplications, 94 additions = 199; 1 unary minus; 10 sine/cosine */
 void rx90_mass_matrix(const rx90_real q[6], rx90_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile rx90_real *const again = q;
     /* sines and cosines of the joint angles */
     const rx90_real c2 = cos(q[1]);
-    const rx90_real s2 = sin(again[1]);
+    const rx90_real s2 = sin(q[1]);
     const rx90_real c4 = cos(q[3]);
-    const rx90_real s4 = sin(again[3]);
+    const rx90_real s4 = sin(q[3]);
     const rx90_real c5 = cos(q[4]);
-    const rx90_real s5 = sin(again[4]);
+    const rx90_real s5 = sin(q[4]);
     const rx90_real c6 = cos(q[5]);
-    const rx90_real s6 = sin(again[5]);
-    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real s6 = sin(q[5]);
+    const rx90_real angle23 = q[1] + q[2];
     const rx90_real c23 = cos(angle23);
     const rx90_real s23 = sin(angle23);
     /* link 6: second moment of the composite body [kg m^2] */
@@ -725,13 +713,10 @@ void rx90_forward_dynamics(
     const rx90_real tau[6],
     rx90_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile rx90_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const rx90_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile rx90_real angle23 = q[1] + q[2];
+    const rx90_real angle23 = q[1] + q[2];
     const rx90_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const rx90_real w3_x = s23*qd[0];
@@ -748,7 +733,7 @@ void rx90_forward_dynamics(
     const rx90_real lam3_32 = 2.0*ww3_yz;
     /* sines and cosines of the joint angles */
     const rx90_real c4 = cos(q[3]);
-    const rx90_real s4 = sin(again[3]);
+    const rx90_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const rx90_real w4_x = w3_x*c4 - w3_z*s4;
     const rx90_real w4_z = w3_y + qd[3];
@@ -765,7 +750,7 @@ void rx90_forward_dynamics(
     const rx90_real neg_lam4_22 = ww4_xx + ww4_zz;
     /* sines and cosines of the joint angles */
     const rx90_real c5 = cos(q[4]);
-    const rx90_real s5 = sin(again[4]);
+    const rx90_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const rx90_real w5_x = w4_x*c5 + w4_z*s5;
     const rx90_real w5_z = qd[4] - w4_y;
@@ -780,9 +765,9 @@ void rx90_forward_dynamics(
     const rx90_real w6_z = w5_y + qd[5];
     /* sines and cosines of the joint angles */
     const rx90_real c6 = cos(q[5]);
-    const rx90_real s6 = sin(again[5]);
+    const rx90_real s6 = sin(q[5]);
     const rx90_real c2 = cos(q[1]);
-    const rx90_real s2 = sin(again[1]);
+    const rx90_real s2 = sin(q[1]);
     /* link 4: angular acceleration [rad/s^2] */
     const rx90_real alpha4_x = ww3_yz*c4 + qd[3]*w4_y;
     /* link 5: angular acceleration [rad/s^2] */

@@ -56,11 +56,8 @@ void stanford_inverse_dynamics(
     const stanford_real qdd[6],
     stanford_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_real s2 = sin(again[1]);
+    const stanford_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_real w2_x = -s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -86,7 +83,7 @@ void stanford_inverse_dynamics(
     const stanford_real lam2_12 = ww2_xy - qdd[1];
     /* sines and cosines of the joint angles */
     const stanford_real c4 = cos(q[3]);
-    const stanford_real s4 = sin(again[3]);
+    const stanford_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const stanford_real w4_x = w2_x*c4 + qd[1]*s4;
     const stanford_real w4_y = qd[1]*c4 - w2_x*s4;
@@ -97,7 +94,7 @@ void stanford_inverse_dynamics(
     const stanford_real ww4_zz = w4_z*w4_z;
     /* sines and cosines of the joint angles */
     const stanford_real c5 = cos(q[4]);
-    const stanford_real s5 = sin(again[4]);
+    const stanford_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const stanford_real w5_x = w4_x*c5 - w4_z*s5;
     const stanford_real w5_z = w4_y + qd[4];
@@ -222,24 +219,21 @@ void stanford_inverse_dynamics(
  * 14 multiplications, 6 additions = 20; 1 unary minus; 6 sine/cosine */
 void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_real c5 = cos(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const stanford_real hw5_y = -1.1261376*c5;
     /* sines and cosines of the joint angles */
-    const stanford_real s2 = sin(again[1]);
+    const stanford_real s2 = sin(q[1]);
     const stanford_real c4 = cos(q[3]);
     const stanford_real c2 = cos(q[1]);
-    const stanford_real s5 = sin(again[4]);
+    const stanford_real s5 = sin(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const stanford_real hw5_x = 1.1261376*s5;
     /* link 5: joint torque [N m], at a prismatic joint force [N] */
     const stanford_real tau5 = hw5_y*(s2*c4) - c2*hw5_x;
     /* sines and cosines of the joint angles */
-    const stanford_real s4 = sin(again[3]);
+    const stanford_real s4 = sin(q[3]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const stanford_real hw4_y = hw5_x*s4 - 0.0571536*c4;
     /* link 4: joint torque [N m], at a prismatic joint force [N] */
@@ -265,11 +259,8 @@ void stanford_gravity(const stanford_real q[6], stanford_real tau[6])
  * 104 multiplications, 70 additions = 174; 0 unary minus; 6 sine/cosine */
 void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_real s2 = sin(again[1]);
+    const stanford_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_real neg_w2_x = s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -285,7 +276,7 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real neg_a2_y = 9.8*c2;
     /* sines and cosines of the joint angles */
     const stanford_real c4 = cos(q[3]);
-    const stanford_real s4 = sin(again[3]);
+    const stanford_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const stanford_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
     const stanford_real w4_y = qd[1]*c4 + neg_w2_x*s4;
@@ -296,7 +287,7 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
     const stanford_real ww4_zz = w4_z*w4_z;
     /* sines and cosines of the joint angles */
     const stanford_real c5 = cos(q[4]);
-    const stanford_real s5 = sin(again[4]);
+    const stanford_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const stanford_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const stanford_real w5_z = w4_y + qd[4];
@@ -410,16 +401,13 @@ void stanford_bias(const stanford_real q[6], const stanford_real qd[6], stanford
  * 41 multiplications, 32 additions = 73; 2 unary minus; 6 sine/cosine */
 void stanford_mass_matrix(const stanford_real q[6], stanford_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_real c2 = cos(q[1]);
-    const stanford_real s2 = sin(again[1]);
+    const stanford_real s2 = sin(q[1]);
     const stanford_real c4 = cos(q[3]);
-    const stanford_real s4 = sin(again[3]);
+    const stanford_real s4 = sin(q[3]);
     const stanford_real c5 = cos(q[4]);
-    const stanford_real s5 = sin(again[4]);
+    const stanford_real s5 = sin(q[4]);
     /* link 5: moment for a unit acceleration of a joint further out */
     const stanford_real neg_nu5_y = 0.0003*c5;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
@@ -524,11 +512,8 @@ void stanford_forward_dynamics(
     const stanford_real tau[6],
     stanford_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_real s2 = sin(again[1]);
+    const stanford_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_real neg_w2_x = s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -544,7 +529,7 @@ void stanford_forward_dynamics(
     const stanford_real neg_a2_y = 9.8*c2;
     /* sines and cosines of the joint angles */
     const stanford_real c4 = cos(q[3]);
-    const stanford_real s4 = sin(again[3]);
+    const stanford_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const stanford_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
     const stanford_real w4_y = qd[1]*c4 + neg_w2_x*s4;
@@ -555,7 +540,7 @@ void stanford_forward_dynamics(
     const stanford_real ww4_zz = w4_z*w4_z;
     /* sines and cosines of the joint angles */
     const stanford_real c5 = cos(q[4]);
-    const stanford_real s5 = sin(again[4]);
+    const stanford_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const stanford_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const stanford_real w5_z = w4_y + qd[4];

@@ -53,12 +53,9 @@ void stanford_3dof_inverse_dynamics(
     const stanford_3dof_real qdd[3],
     stanford_3dof_real tau[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_3dof_real c2 = cos(q[1]);
-    const stanford_3dof_real s2 = sin(again[1]);
+    const stanford_3dof_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_3dof_real neg_w2_x = s2*qd[0];
     /* link 2: products of the angular velocity [1/s^2] */
@@ -94,15 +91,12 @@ void stanford_3dof_inverse_dynamics(
  * 3 multiplications, 1 addition = 4; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_gravity(const stanford_3dof_real q[3], stanford_3dof_real tau[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_3dof_real c2 = cos(q[1]);
     /* link 3: force that moves the link [N] */
     const stanford_3dof_real fc3_z = 41.65*c2;
     /* sines and cosines of the joint angles */
-    const stanford_3dof_real s2 = sin(again[1]);
+    const stanford_3dof_real s2 = sin(q[1]);
     /* link 2: moment through the joint, about the frame's origin [N m] */
     const stanford_3dof_real n2_z = -41.65*(s2*(q[2] + 0.6447));
     tau[0] = 0.0;
@@ -117,12 +111,9 @@ void stanford_3dof_bias(
     const stanford_3dof_real qd[3],
     stanford_3dof_real tau[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_3dof_real c2 = cos(q[1]);
-    const stanford_3dof_real s2 = sin(again[1]);
+    const stanford_3dof_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_3dof_real neg_w2_x = s2*qd[0];
     /* link 2: products of the angular velocity [1/s^2] */
@@ -154,12 +145,9 @@ void stanford_3dof_bias(
  * 7 multiplications, 5 additions = 12; 0 unary minus; 2 sine/cosine */
 void stanford_3dof_mass_matrix(const stanford_3dof_real q[3], stanford_3dof_real M[9])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_3dof_real c2 = cos(q[1]);
-    const stanford_3dof_real s2 = sin(again[1]);
+    const stanford_3dof_real s2 = sin(q[1]);
     /* link 1: mass matrix, its row of this joint */
     const stanford_3dof_real m1_3 = -0.6477*s2;
     const stanford_3dof_real t1 = q[2] + 1.2894;
@@ -188,12 +176,9 @@ void stanford_3dof_forward_dynamics(
     const stanford_3dof_real tau[3],
     stanford_3dof_real qdd[3])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_3dof_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_3dof_real c2 = cos(q[1]);
-    const stanford_3dof_real s2 = sin(again[1]);
+    const stanford_3dof_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_3dof_real neg_w2_x = s2*qd[0];
     /* link 2: products of the angular velocity [1/s^2] */

@@ -51,13 +51,10 @@ void stanford_d3_inverse_dynamics(
     const stanford_d3_real qdd[6],
     stanford_d3_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_d3_real *const again = q;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_d3_real neg_lam2_33 = qd[0]*qd[0];
     /* sines and cosines of the joint angles */
-    const stanford_d3_real s2 = sin(again[1]);
+    const stanford_d3_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_d3_real neg_w2_x = qd[0]*s2;
     /* sines and cosines of the joint angles */
@@ -74,7 +71,7 @@ void stanford_d3_inverse_dynamics(
     const stanford_d3_real lam2_12 = ww2_xy - qdd[1];
     /* sines and cosines of the joint angles */
     const stanford_d3_real c4 = cos(q[3]);
-    const stanford_d3_real s4 = sin(again[3]);
+    const stanford_d3_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const stanford_d3_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
     const stanford_d3_real w4_y = qd[1]*c4 + neg_w2_x*s4;
@@ -84,7 +81,7 @@ void stanford_d3_inverse_dynamics(
     const stanford_d3_real neg_ww4_xy = neg_w4_x*w4_y;
     /* sines and cosines of the joint angles */
     const stanford_d3_real c5 = cos(q[4]);
-    const stanford_d3_real s5 = sin(again[4]);
+    const stanford_d3_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const stanford_d3_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const stanford_d3_real w5_z = w4_y + qd[4];
@@ -215,24 +212,21 @@ void stanford_d3_inverse_dynamics(
  * 14 multiplications, 6 additions = 20; 1 unary minus; 6 sine/cosine */
 void stanford_d3_gravity(const stanford_d3_real q[6], stanford_d3_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_d3_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_d3_real c5 = cos(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const stanford_d3_real hw5_y = -1.1261376*c5;
     /* sines and cosines of the joint angles */
-    const stanford_d3_real s2 = sin(again[1]);
+    const stanford_d3_real s2 = sin(q[1]);
     const stanford_d3_real c4 = cos(q[3]);
     const stanford_d3_real c2 = cos(q[1]);
-    const stanford_d3_real s5 = sin(again[4]);
+    const stanford_d3_real s5 = sin(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const stanford_d3_real hw5_x = 1.1261376*s5;
     /* link 5: joint torque [N m], at a prismatic joint force [N] */
     const stanford_d3_real tau5 = hw5_y*(s2*c4) - c2*hw5_x;
     /* sines and cosines of the joint angles */
-    const stanford_d3_real s4 = sin(again[3]);
+    const stanford_d3_real s4 = sin(q[3]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const stanford_d3_real hw4_y = hw5_x*s4 - 0.0571536*c4;
     /* link 4: joint torque [N m], at a prismatic joint force [N] */
@@ -261,13 +255,10 @@ void stanford_d3_bias(
     const stanford_d3_real qd[6],
     stanford_d3_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_d3_real *const again = q;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_d3_real neg_lam2_33 = qd[0]*qd[0];
     /* sines and cosines of the joint angles */
-    const stanford_d3_real s2 = sin(again[1]);
+    const stanford_d3_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_d3_real neg_w2_x = qd[0]*s2;
     /* sines and cosines of the joint angles */
@@ -283,7 +274,7 @@ void stanford_d3_bias(
     const stanford_d3_real neg_lam2_22 = ww2_xx + ww2_zz;
     /* sines and cosines of the joint angles */
     const stanford_d3_real c4 = cos(q[3]);
-    const stanford_d3_real s4 = sin(again[3]);
+    const stanford_d3_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const stanford_d3_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
     const stanford_d3_real w4_y = qd[1]*c4 + neg_w2_x*s4;
@@ -293,7 +284,7 @@ void stanford_d3_bias(
     const stanford_d3_real neg_ww4_xy = neg_w4_x*w4_y;
     /* sines and cosines of the joint angles */
     const stanford_d3_real c5 = cos(q[4]);
-    const stanford_d3_real s5 = sin(again[4]);
+    const stanford_d3_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const stanford_d3_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const stanford_d3_real w5_z = w4_y + qd[4];
@@ -413,16 +404,13 @@ void stanford_d3_bias(
  * 40 multiplications, 32 additions = 72; 2 unary minus; 6 sine/cosine */
 void stanford_d3_mass_matrix(const stanford_d3_real q[6], stanford_d3_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_d3_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_d3_real c2 = cos(q[1]);
-    const stanford_d3_real s2 = sin(again[1]);
+    const stanford_d3_real s2 = sin(q[1]);
     const stanford_d3_real c4 = cos(q[3]);
-    const stanford_d3_real s4 = sin(again[3]);
+    const stanford_d3_real s4 = sin(q[3]);
     const stanford_d3_real c5 = cos(q[4]);
-    const stanford_d3_real s5 = sin(again[4]);
+    const stanford_d3_real s5 = sin(q[4]);
     /* link 5: moment for a unit acceleration of a joint further out */
     const stanford_d3_real neg_nu5_y = 0.0203*c5;
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */
@@ -523,13 +511,10 @@ void stanford_d3_forward_dynamics(
     const stanford_d3_real tau[6],
     stanford_d3_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_d3_real *const again = q;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const stanford_d3_real neg_lam2_33 = qd[0]*qd[0];
     /* sines and cosines of the joint angles */
-    const stanford_d3_real s2 = sin(again[1]);
+    const stanford_d3_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_d3_real neg_w2_x = qd[0]*s2;
     /* sines and cosines of the joint angles */
@@ -545,7 +530,7 @@ void stanford_d3_forward_dynamics(
     const stanford_d3_real neg_lam2_22 = ww2_xx + ww2_zz;
     /* sines and cosines of the joint angles */
     const stanford_d3_real c4 = cos(q[3]);
-    const stanford_d3_real s4 = sin(again[3]);
+    const stanford_d3_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const stanford_d3_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
     const stanford_d3_real w4_y = qd[1]*c4 + neg_w2_x*s4;
@@ -555,7 +540,7 @@ void stanford_d3_forward_dynamics(
     const stanford_d3_real neg_ww4_xy = neg_w4_x*w4_y;
     /* sines and cosines of the joint angles */
     const stanford_d3_real c5 = cos(q[4]);
-    const stanford_d3_real s5 = sin(again[4]);
+    const stanford_d3_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const stanford_d3_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const stanford_d3_real w5_z = w4_y + qd[4];

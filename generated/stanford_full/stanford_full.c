@@ -50,11 +50,8 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real qdd[6],
     stanford_full_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_full_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_full_real s2 = sin(again[1]);
+    const stanford_full_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_full_real neg_w2_x = s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -89,7 +86,7 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real neg_lam3_31 = ww2_xy + qdd[1];
     /* sines and cosines of the joint angles */
     const stanford_full_real c4 = cos(q[3]);
-    const stanford_full_real s4 = sin(again[3]);
+    const stanford_full_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const stanford_full_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
     const stanford_full_real w4_z = neg_w2_y + qd[3];
@@ -108,7 +105,7 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real neg_lam4_12 = alpha4_z + neg_ww4_xy;
     /* sines and cosines of the joint angles */
     const stanford_full_real c5 = cos(q[4]);
-    const stanford_full_real s5 = sin(again[4]);
+    const stanford_full_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const stanford_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const stanford_full_real w5_z = w4_y + qd[4];
@@ -124,7 +121,7 @@ void stanford_full_inverse_dynamics(
     const stanford_full_real w6_z = neg_w5_y + qd[5];
     /* sines and cosines of the joint angles */
     const stanford_full_real c6 = cos(q[5]);
-    const stanford_full_real s6 = sin(again[5]);
+    const stanford_full_real s6 = sin(q[5]);
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_full_real neg_a2_z = 0.1524*ww1_zz;
     const stanford_full_real t1 = 2.0*qd[2];
@@ -283,24 +280,21 @@ void stanford_full_inverse_dynamics(
  * 24 multiplications, 16 additions = 40; 1 unary minus; 8 sine/cosine */
 void stanford_full_gravity(const stanford_full_real q[6], stanford_full_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_full_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_full_real s6 = sin(again[5]);
+    const stanford_full_real s6 = sin(q[5]);
     const stanford_full_real c6 = cos(q[5]);
     /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const stanford_full_real hw6_y = 11.695353768620235*s6 - 11.931194031426555*c6;
     /* sines and cosines of the joint angles */
     const stanford_full_real c5 = cos(q[4]);
-    const stanford_full_real s2 = sin(again[1]);
+    const stanford_full_real s2 = sin(q[1]);
     const stanford_full_real c4 = cos(q[3]);
     const stanford_full_real c2 = cos(q[1]);
-    const stanford_full_real s5 = sin(again[4]);
+    const stanford_full_real s5 = sin(q[4]);
     /* link 6: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const stanford_full_real hw6_x = 11.695353768620235*c6 + 11.931194031426555*s6;
     /* sines and cosines of the joint angles */
-    const stanford_full_real s4 = sin(again[3]);
+    const stanford_full_real s4 = sin(q[3]);
     const stanford_full_real t1 = s2*c4;
     const stanford_full_real t2 = s2*s4;
     /* link 6: joint torque [N m], at a prismatic joint force [N] */
@@ -338,11 +332,8 @@ void stanford_full_bias(
     const stanford_full_real qd[6],
     stanford_full_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_full_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_full_real s2 = sin(again[1]);
+    const stanford_full_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_full_real neg_w2_x = s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -367,7 +358,7 @@ void stanford_full_bias(
     const stanford_full_real neg_a2_x = 9.8*s2;
     /* sines and cosines of the joint angles */
     const stanford_full_real c4 = cos(q[3]);
-    const stanford_full_real s4 = sin(again[3]);
+    const stanford_full_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const stanford_full_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
     const stanford_full_real w4_z = neg_w2_y + qd[3];
@@ -384,7 +375,7 @@ void stanford_full_bias(
     const stanford_full_real lam4_12 = neg_ww3_xy - neg_ww4_xy;
     /* sines and cosines of the joint angles */
     const stanford_full_real c5 = cos(q[4]);
-    const stanford_full_real s5 = sin(again[4]);
+    const stanford_full_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const stanford_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const stanford_full_real w5_z = w4_y + qd[4];
@@ -400,7 +391,7 @@ void stanford_full_bias(
     const stanford_full_real w6_z = neg_w5_y + qd[5];
     /* sines and cosines of the joint angles */
     const stanford_full_real c6 = cos(q[5]);
-    const stanford_full_real s6 = sin(again[5]);
+    const stanford_full_real s6 = sin(q[5]);
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_full_real neg_a2_z = 0.1524*ww1_zz;
     const stanford_full_real t1 = 2.0*qd[2];
@@ -547,18 +538,15 @@ void stanford_full_bias(
  * 90 multiplications, 84 additions = 174; 3 unary minus; 8 sine/cosine */
 void stanford_full_mass_matrix(const stanford_full_real q[6], stanford_full_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_full_real *const again = q;
     /* sines and cosines of the joint angles */
     const stanford_full_real c2 = cos(q[1]);
-    const stanford_full_real s2 = sin(again[1]);
+    const stanford_full_real s2 = sin(q[1]);
     const stanford_full_real c4 = cos(q[3]);
-    const stanford_full_real s4 = sin(again[3]);
+    const stanford_full_real s4 = sin(q[3]);
     const stanford_full_real c5 = cos(q[4]);
-    const stanford_full_real s5 = sin(again[4]);
+    const stanford_full_real s5 = sin(q[4]);
     const stanford_full_real c6 = cos(q[5]);
-    const stanford_full_real s6 = sin(again[5]);
+    const stanford_full_real s6 = sin(q[5]);
     /* link 6: first moment of the composite body, about the frame's origin [kg m] */
     const stanford_full_real h6_x = 1.193403445777575*c6 + 1.2174687787169953*s6;
     const stanford_full_real t1 = h6_x - 0.5911078910549018;
@@ -698,11 +686,8 @@ void stanford_full_forward_dynamics(
     const stanford_full_real tau[6],
     stanford_full_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile stanford_full_real *const again = q;
     /* sines and cosines of the joint angles */
-    const stanford_full_real s2 = sin(again[1]);
+    const stanford_full_real s2 = sin(q[1]);
     /* link 2: angular velocity [rad/s] */
     const stanford_full_real neg_w2_x = s2*qd[0];
     /* sines and cosines of the joint angles */
@@ -725,7 +710,7 @@ void stanford_full_forward_dynamics(
     const stanford_full_real neg_a2_x = 9.8*s2;
     /* sines and cosines of the joint angles */
     const stanford_full_real c4 = cos(q[3]);
-    const stanford_full_real s4 = sin(again[3]);
+    const stanford_full_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const stanford_full_real neg_w4_x = neg_w2_x*c4 - qd[1]*s4;
     const stanford_full_real w4_z = neg_w2_y + qd[3];
@@ -742,7 +727,7 @@ void stanford_full_forward_dynamics(
     const stanford_full_real lam4_12 = neg_ww3_xy - neg_ww4_xy;
     /* sines and cosines of the joint angles */
     const stanford_full_real c5 = cos(q[4]);
-    const stanford_full_real s5 = sin(again[4]);
+    const stanford_full_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const stanford_full_real neg_w5_x = neg_w4_x*c5 + w4_z*s5;
     const stanford_full_real w5_z = w4_y + qd[4];
@@ -758,7 +743,7 @@ void stanford_full_forward_dynamics(
     const stanford_full_real w6_z = neg_w5_y + qd[5];
     /* sines and cosines of the joint angles */
     const stanford_full_real c6 = cos(q[5]);
-    const stanford_full_real s6 = sin(again[5]);
+    const stanford_full_real s6 = sin(q[5]);
     /* link 2: acceleration of the frame's origin, gravity taken off [m/s^2] */
     const stanford_full_real neg_a2_z = 0.1524*ww1_zz;
     const stanford_full_real t1 = 2.0*qd[2];

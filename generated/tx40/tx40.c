@@ -49,13 +49,10 @@ void tx40_inverse_dynamics(
     const tx40_real qdd[6],
     tx40_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile tx40_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const tx40_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile tx40_real angle23 = q[1] + q[2];
+    const tx40_real angle23 = q[1] + q[2];
     const tx40_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const tx40_real neg_w3_x = s23*qd[0];
@@ -86,7 +83,7 @@ void tx40_inverse_dynamics(
     const tx40_real neg_lam3_31 = neg_ww3_zx + alpha3_y;
     /* sines and cosines of the joint angles */
     const tx40_real c4 = cos(q[3]);
-    const tx40_real s4 = sin(again[3]);
+    const tx40_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const tx40_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
     const tx40_real w4_z = neg_w3_y + qd[3];
@@ -104,9 +101,9 @@ void tx40_inverse_dynamics(
     const tx40_real w5_z = w4_y + qd[4];
     /* sines and cosines of the joint angles */
     const tx40_real c5 = cos(q[4]);
-    const tx40_real s5 = sin(again[4]);
+    const tx40_real s5 = sin(q[4]);
     const tx40_real c2 = cos(q[1]);
-    const tx40_real s2 = sin(again[1]);
+    const tx40_real s2 = sin(q[1]);
     /* link 3: products of the angular velocity [1/s^2] */
     const tx40_real neg_ww3_yz = w3_z*neg_w3_y;
     /* link 3: angular acceleration [rad/s^2] */
@@ -224,17 +221,14 @@ void tx40_inverse_dynamics(
  * 16 multiplications, 12 additions = 28; 0 unary minus; 8 sine/cosine */
 void tx40_gravity(const tx40_real q[6], tx40_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile tx40_real *const again = q;
     /* sines and cosines of the joint angles */
-    const tx40_real s5 = sin(again[4]);
+    const tx40_real s5 = sin(q[4]);
     const tx40_real c5 = cos(q[4]);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const tx40_real hw5_y = -0.1124226*c5 - 0.0400248*s5;
     /* sines and cosines of the joint angles */
     const tx40_real c4 = cos(q[3]);
-    const volatile tx40_real angle23 = q[1] + q[2];
+    const tx40_real angle23 = q[1] + q[2];
     const tx40_real s23 = sin(angle23);
     const tx40_real c23 = cos(angle23);
     /* link 5: first moment of all that the joint carries, before its turn, times gravity [N m] */
@@ -242,7 +236,7 @@ void tx40_gravity(const tx40_real q[6], tx40_real tau[6])
     /* link 5: joint torque [N m], at a prismatic joint force [N] */
     const tx40_real tau5 = hw5_y*(c4*s23) - c23*hw5_x;
     /* sines and cosines of the joint angles */
-    const tx40_real s4 = sin(again[3]);
+    const tx40_real s4 = sin(q[3]);
     const tx40_real t1 = 0.1420488 - hw5_x;
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const tx40_real hw4_y = 0.0610182*c4 - s4*t1;
@@ -250,7 +244,7 @@ void tx40_gravity(const tx40_real q[6], tx40_real tau[6])
     const tx40_real tau4 = s23*hw4_y;
     /* sines and cosines of the joint angles */
     const tx40_real c2 = cos(q[1]);
-    const tx40_real s2 = sin(again[1]);
+    const tx40_real s2 = sin(q[1]);
     /* link 4: first moment of all that the joint carries, before its turn, times gravity [N m] */
     const tx40_real neg_hw4_x = c4*t1 + 0.0610182*s4;
     /* link 3: first moment of all that the joint carries, before its turn, times gravity [N m] */
@@ -269,13 +263,10 @@ void tx40_gravity(const tx40_real q[6], tx40_real tau[6])
  * 145 multiplications, 129 additions = 274; 0 unary minus; 8 sine/cosine */
 void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile tx40_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const tx40_real w3_z = qd[1] + qd[2];
     /* sines and cosines of the joint angles */
-    const volatile tx40_real angle23 = q[1] + q[2];
+    const tx40_real angle23 = q[1] + q[2];
     const tx40_real s23 = sin(angle23);
     /* link 3: angular velocity [rad/s] */
     const tx40_real neg_w3_x = s23*qd[0];
@@ -294,7 +285,7 @@ void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
     const tx40_real neg_lam3_11 = ww3_zz + ww3_yy;
     /* sines and cosines of the joint angles */
     const tx40_real c4 = cos(q[3]);
-    const tx40_real s4 = sin(again[3]);
+    const tx40_real s4 = sin(q[3]);
     /* link 4: angular velocity [rad/s] */
     const tx40_real neg_w4_x = neg_w3_x*c4 - w3_z*s4;
     const tx40_real w4_z = neg_w3_y + qd[3];
@@ -310,9 +301,9 @@ void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
     const tx40_real w5_z = w4_y + qd[4];
     /* sines and cosines of the joint angles */
     const tx40_real c5 = cos(q[4]);
-    const tx40_real s5 = sin(again[4]);
+    const tx40_real s5 = sin(q[4]);
     const tx40_real c2 = cos(q[1]);
-    const tx40_real s2 = sin(again[1]);
+    const tx40_real s2 = sin(q[1]);
     /* link 3: products of the angular velocity [1/s^2] */
     const tx40_real neg_ww3_yz = w3_z*neg_w3_y;
     /* link 3: lambda matrix: takes a position to its acceleration [1/s^2] */
@@ -420,17 +411,14 @@ void tx40_bias(const tx40_real q[6], const tx40_real qd[6], tx40_real tau[6])
  * 72 multiplications, 67 additions = 139; 0 unary minus; 8 sine/cosine */
 void tx40_mass_matrix(const tx40_real q[6], tx40_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile tx40_real *const again = q;
     /* sines and cosines of the joint angles */
     const tx40_real c2 = cos(q[1]);
-    const tx40_real s2 = sin(again[1]);
+    const tx40_real s2 = sin(q[1]);
     const tx40_real c4 = cos(q[3]);
-    const tx40_real s4 = sin(again[3]);
+    const tx40_real s4 = sin(q[3]);
     const tx40_real c5 = cos(q[4]);
-    const tx40_real s5 = sin(again[4]);
-    const volatile tx40_real angle23 = q[1] + q[2];
+    const tx40_real s5 = sin(q[4]);
+    const tx40_real angle23 = q[1] + q[2];
     const tx40_real c23 = cos(angle23);
     const tx40_real s23 = sin(angle23);
     /* link 5: first moment of the composite body, about the frame's origin [kg m] */

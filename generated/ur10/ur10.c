@@ -50,9 +50,6 @@ void ur10_inverse_dynamics(
     const ur10_real qdd[6],
     ur10_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile ur10_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const ur10_real w3_z = qd[1] + qd[2];
     /* link 3: angular acceleration [rad/s^2] */
@@ -60,8 +57,8 @@ void ur10_inverse_dynamics(
     /* link 4: angular velocity [rad/s] */
     const ur10_real w4_z = w3_z + qd[3];
     /* sines and cosines of the joint angles */
-    const volatile ur10_real angle23 = q[1] + q[2];
-    const volatile ur10_real angle2to4 = angle23 + q[3];
+    const ur10_real angle23 = q[1] + q[2];
+    const ur10_real angle2to4 = angle23 + q[3];
     const ur10_real c2to4 = cos(angle2to4);
     /* link 4: angular velocity [rad/s] */
     const ur10_real w4_y = c2to4*qd[0];
@@ -77,7 +74,7 @@ void ur10_inverse_dynamics(
     const ur10_real alpha4_x = s2to4*qdd[0] + ww4_yz;
     /* sines and cosines of the joint angles */
     const ur10_real c5 = cos(q[4]);
-    const ur10_real s5 = sin(again[4]);
+    const ur10_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const ur10_real w5_x = -w4_x*c5 - w4_z*s5;
     const ur10_real w5_z = qd[4] - w4_y;
@@ -86,7 +83,7 @@ void ur10_inverse_dynamics(
     const ur10_real alpha5_y = alpha4_x*s5 - alpha4_z*c5 - w5_x*qd[4];
     /* sines and cosines of the joint angles */
     const ur10_real c6 = cos(q[5]);
-    const ur10_real s6 = sin(again[5]);
+    const ur10_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const ur10_real w6_x = w5_x*c6 + w5_z*s6;
     const ur10_real neg_w6_y = w5_x*s6 - w5_z*c6;
@@ -95,7 +92,7 @@ void ur10_inverse_dynamics(
     const ur10_real alpha6_z = qdd[5] - alpha5_y;
     /* sines and cosines of the joint angles */
     const ur10_real c2 = cos(q[1]);
-    const ur10_real s2 = sin(again[1]);
+    const ur10_real s2 = sin(q[1]);
     const ur10_real c23 = cos(angle23);
     const ur10_real s23 = sin(angle23);
     /* link 4: products of the angular velocity [1/s^2] */
@@ -173,8 +170,8 @@ void ur10_inverse_dynamics(
 void ur10_gravity(const ur10_real q[6], ur10_real tau[6])
 {
     /* sines and cosines of the joint angles */
-    const volatile ur10_real angle23 = q[1] + q[2];
-    const volatile ur10_real angle2to4 = q[3] + angle23;
+    const ur10_real angle23 = q[1] + q[2];
+    const ur10_real angle2to4 = q[3] + angle23;
     const ur10_real s2to4 = sin(angle2to4);
     /* link 4: moment that turns the link [N m] */
     const ur10_real nc4_z = 0.229273434*s2to4;
@@ -202,16 +199,13 @@ void ur10_gravity(const ur10_real q[6], ur10_real tau[6])
  * 84 multiplications, 57 additions = 141; 0 unary minus; 10 sine/cosine */
 void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile ur10_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const ur10_real w3_z = qd[1] + qd[2];
     /* link 4: angular velocity [rad/s] */
     const ur10_real w4_z = w3_z + qd[3];
     /* sines and cosines of the joint angles */
-    const volatile ur10_real angle23 = q[1] + q[2];
-    const volatile ur10_real angle2to4 = angle23 + q[3];
+    const ur10_real angle23 = q[1] + q[2];
+    const ur10_real angle2to4 = angle23 + q[3];
     const ur10_real c2to4 = cos(angle2to4);
     /* link 4: angular velocity [rad/s] */
     const ur10_real w4_y = c2to4*qd[0];
@@ -223,7 +217,7 @@ void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
     const ur10_real ww4_yz = w4_z*w4_y;
     /* sines and cosines of the joint angles */
     const ur10_real c5 = cos(q[4]);
-    const ur10_real s5 = sin(again[4]);
+    const ur10_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const ur10_real neg_w5_x = w4_z*s5 + w4_x*c5;
     const ur10_real neg_w5_z = w4_y - qd[4];
@@ -232,14 +226,14 @@ void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
     const ur10_real alpha5_y = ww4_yz*s5 + neg_w5_x*qd[4];
     /* sines and cosines of the joint angles */
     const ur10_real c6 = cos(q[5]);
-    const ur10_real s6 = sin(again[5]);
+    const ur10_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const ur10_real neg_w6_x = neg_w5_x*c6 + neg_w5_z*s6;
     const ur10_real neg_w6_y = neg_w5_z*c6 - neg_w5_x*s6;
     const ur10_real neg_w6_z = w5_y - qd[5];
     /* sines and cosines of the joint angles */
     const ur10_real c2 = cos(q[1]);
-    const ur10_real s2 = sin(again[1]);
+    const ur10_real s2 = sin(q[1]);
     const ur10_real c23 = cos(angle23);
     const ur10_real s23 = sin(angle23);
     /* link 4: products of the angular velocity [1/s^2] */
@@ -308,20 +302,17 @@ void ur10_bias(const ur10_real q[6], const ur10_real qd[6], ur10_real tau[6])
  * 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine */
 void ur10_mass_matrix(const ur10_real q[6], ur10_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile ur10_real *const again = q;
     /* sines and cosines of the joint angles */
     const ur10_real c2 = cos(q[1]);
-    const ur10_real s2 = sin(again[1]);
+    const ur10_real s2 = sin(q[1]);
     const ur10_real c5 = cos(q[4]);
-    const ur10_real s5 = sin(again[4]);
+    const ur10_real s5 = sin(q[4]);
     const ur10_real c6 = cos(q[5]);
-    const ur10_real s6 = sin(again[5]);
-    const volatile ur10_real angle23 = q[1] + q[2];
+    const ur10_real s6 = sin(q[5]);
+    const ur10_real angle23 = q[1] + q[2];
     const ur10_real c23 = cos(angle23);
     const ur10_real s23 = sin(angle23);
-    const volatile ur10_real angle2to4 = angle23 + q[3];
+    const ur10_real angle2to4 = angle23 + q[3];
     const ur10_real c2to4 = cos(angle2to4);
     const ur10_real s2to4 = sin(angle2to4);
     /* link 5: moment for a unit acceleration of a joint further out */
@@ -416,16 +407,13 @@ void ur10_forward_dynamics(
     const ur10_real tau[6],
     ur10_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile ur10_real *const again = q;
     /* link 3: angular velocity [rad/s] */
     const ur10_real w3_z = qd[1] + qd[2];
     /* link 4: angular velocity [rad/s] */
     const ur10_real w4_z = w3_z + qd[3];
     /* sines and cosines of the joint angles */
-    const volatile ur10_real angle23 = q[1] + q[2];
-    const volatile ur10_real angle2to4 = angle23 + q[3];
+    const ur10_real angle23 = q[1] + q[2];
+    const ur10_real angle2to4 = angle23 + q[3];
     const ur10_real c2to4 = cos(angle2to4);
     /* link 4: angular velocity [rad/s] */
     const ur10_real w4_y = c2to4*qd[0];
@@ -437,7 +425,7 @@ void ur10_forward_dynamics(
     const ur10_real ww4_yz = w4_z*w4_y;
     /* sines and cosines of the joint angles */
     const ur10_real c5 = cos(q[4]);
-    const ur10_real s5 = sin(again[4]);
+    const ur10_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const ur10_real neg_w5_x = w4_z*s5 + w4_x*c5;
     const ur10_real neg_w5_z = w4_y - qd[4];
@@ -446,14 +434,14 @@ void ur10_forward_dynamics(
     const ur10_real alpha5_y = ww4_yz*s5 + neg_w5_x*qd[4];
     /* sines and cosines of the joint angles */
     const ur10_real c6 = cos(q[5]);
-    const ur10_real s6 = sin(again[5]);
+    const ur10_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const ur10_real neg_w6_x = neg_w5_x*c6 + neg_w5_z*s6;
     const ur10_real neg_w6_y = neg_w5_z*c6 - neg_w5_x*s6;
     const ur10_real neg_w6_z = w5_y - qd[5];
     /* sines and cosines of the joint angles */
     const ur10_real c2 = cos(q[1]);
-    const ur10_real s2 = sin(again[1]);
+    const ur10_real s2 = sin(q[1]);
     const ur10_real c23 = cos(angle23);
     const ur10_real s23 = sin(angle23);
     /* link 4: products of the angular velocity [1/s^2] */

@@ -50,9 +50,6 @@ void ur5_inverse_dynamics(
     const ur5_real qdd[6],
     ur5_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile ur5_real *const again = q;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur5_real lam2_33 = -qd[0]*qd[0];
     /* link 3: angular velocity [rad/s] */
@@ -60,8 +57,8 @@ void ur5_inverse_dynamics(
     /* link 4: angular velocity [rad/s] */
     const ur5_real w4_z = w3_z + qd[3];
     /* sines and cosines of the joint angles */
-    const volatile ur5_real angle23 = q[1] + q[2];
-    const volatile ur5_real angle2to4 = angle23 + q[3];
+    const ur5_real angle23 = q[1] + q[2];
+    const ur5_real angle2to4 = angle23 + q[3];
     const ur5_real c2to4 = cos(angle2to4);
     /* link 4: angular velocity [rad/s] */
     const ur5_real w4_y = qd[0]*c2to4;
@@ -79,7 +76,7 @@ void ur5_inverse_dynamics(
     const ur5_real alpha4_x = s2to4*qdd[0] + ww4_yz;
     /* sines and cosines of the joint angles */
     const ur5_real c5 = cos(q[4]);
-    const ur5_real s5 = sin(again[4]);
+    const ur5_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const ur5_real w5_x = -w4_z*s5 - w4_x*c5;
     const ur5_real w5_z = qd[4] - w4_y;
@@ -88,14 +85,14 @@ void ur5_inverse_dynamics(
     const ur5_real ww5_yz = w5_z*w5_y;
     /* sines and cosines of the joint angles */
     const ur5_real c6 = cos(q[5]);
-    const ur5_real s6 = sin(again[5]);
+    const ur5_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const ur5_real w6_x = w5_x*c6 + w5_z*s6;
     const ur5_real w6_y = w5_z*c6 - w5_x*s6;
     const ur5_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
     const ur5_real c2 = cos(q[1]);
-    const ur5_real s2 = sin(again[1]);
+    const ur5_real s2 = sin(q[1]);
     const ur5_real c23 = cos(angle23);
     const ur5_real s23 = sin(angle23);
     /* link 5: angular acceleration [rad/s^2] */
@@ -177,8 +174,8 @@ void ur5_inverse_dynamics(
 void ur5_gravity(const ur5_real q[6], ur5_real tau[6])
 {
     /* sines and cosines of the joint angles */
-    const volatile ur5_real angle23 = q[1] + q[2];
-    const volatile ur5_real angle2to4 = q[3] + angle23;
+    const ur5_real angle23 = q[1] + q[2];
+    const ur5_real angle2to4 = q[3] + angle23;
     const ur5_real s2to4 = sin(angle2to4);
     /* link 4: moment that turns the link [N m] */
     const ur5_real nc4_z = 0.17446825035*s2to4;
@@ -206,9 +203,6 @@ void ur5_gravity(const ur5_real q[6], ur5_real tau[6])
  * 87 multiplications, 54 additions = 141; 2 unary minus; 10 sine/cosine */
 void ur5_bias(const ur5_real q[6], const ur5_real qd[6], ur5_real tau[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile ur5_real *const again = q;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur5_real lam2_33 = -qd[0]*qd[0];
     /* link 3: angular velocity [rad/s] */
@@ -216,8 +210,8 @@ void ur5_bias(const ur5_real q[6], const ur5_real qd[6], ur5_real tau[6])
     /* link 4: angular velocity [rad/s] */
     const ur5_real w4_z = w3_z + qd[3];
     /* sines and cosines of the joint angles */
-    const volatile ur5_real angle23 = q[1] + q[2];
-    const volatile ur5_real angle2to4 = angle23 + q[3];
+    const ur5_real angle23 = q[1] + q[2];
+    const ur5_real angle2to4 = angle23 + q[3];
     const ur5_real c2to4 = cos(angle2to4);
     /* link 4: angular velocity [rad/s] */
     const ur5_real w4_y = qd[0]*c2to4;
@@ -229,7 +223,7 @@ void ur5_bias(const ur5_real q[6], const ur5_real qd[6], ur5_real tau[6])
     const ur5_real ww4_yz = w4_z*w4_y;
     /* sines and cosines of the joint angles */
     const ur5_real c5 = cos(q[4]);
-    const ur5_real s5 = sin(again[4]);
+    const ur5_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const ur5_real w5_x = -w4_z*s5 - w4_x*c5;
     const ur5_real w5_z = qd[4] - w4_y;
@@ -238,14 +232,14 @@ void ur5_bias(const ur5_real q[6], const ur5_real qd[6], ur5_real tau[6])
     const ur5_real ww5_yz = w5_z*w5_y;
     /* sines and cosines of the joint angles */
     const ur5_real c6 = cos(q[5]);
-    const ur5_real s6 = sin(again[5]);
+    const ur5_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const ur5_real w6_x = w5_x*c6 + w5_z*s6;
     const ur5_real w6_y = w5_z*c6 - w5_x*s6;
     const ur5_real w6_z = qd[5] - w5_y;
     /* sines and cosines of the joint angles */
     const ur5_real c2 = cos(q[1]);
-    const ur5_real s2 = sin(again[1]);
+    const ur5_real s2 = sin(q[1]);
     const ur5_real c23 = cos(angle23);
     const ur5_real s23 = sin(angle23);
     /* link 5: angular acceleration [rad/s^2] */
@@ -312,20 +306,17 @@ void ur5_bias(const ur5_real q[6], const ur5_real qd[6], ur5_real tau[6])
  * 34 multiplications, 32 additions = 66; 0 unary minus; 10 sine/cosine */
 void ur5_mass_matrix(const ur5_real q[6], ur5_real M[36])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile ur5_real *const again = q;
     /* sines and cosines of the joint angles */
     const ur5_real c2 = cos(q[1]);
-    const ur5_real s2 = sin(again[1]);
+    const ur5_real s2 = sin(q[1]);
     const ur5_real c5 = cos(q[4]);
-    const ur5_real s5 = sin(again[4]);
+    const ur5_real s5 = sin(q[4]);
     const ur5_real c6 = cos(q[5]);
-    const ur5_real s6 = sin(again[5]);
-    const volatile ur5_real angle23 = q[1] + q[2];
+    const ur5_real s6 = sin(q[5]);
+    const ur5_real angle23 = q[1] + q[2];
     const ur5_real c23 = cos(angle23);
     const ur5_real s23 = sin(angle23);
-    const volatile ur5_real angle2to4 = angle23 + q[3];
+    const ur5_real angle2to4 = angle23 + q[3];
     const ur5_real c2to4 = cos(angle2to4);
     const ur5_real s2to4 = sin(angle2to4);
     /* link 5: moment for a unit acceleration of a joint further out */
@@ -420,9 +411,6 @@ void ur5_forward_dynamics(
     const ur5_real tau[6],
     ur5_real qdd[6])
 {
-    /* A second read of the angles: without it gcc joins sine and cosine into sincos, which not
-     * every libm has. */
-    const volatile ur5_real *const again = q;
     /* link 2: lambda matrix: takes a position to its acceleration [1/s^2] */
     const ur5_real neg_lam2_33 = qd[0]*qd[0];
     /* link 3: angular velocity [rad/s] */
@@ -430,8 +418,8 @@ void ur5_forward_dynamics(
     /* link 4: angular velocity [rad/s] */
     const ur5_real w4_z = w3_z + qd[3];
     /* sines and cosines of the joint angles */
-    const volatile ur5_real angle23 = q[1] + q[2];
-    const volatile ur5_real angle2to4 = angle23 + q[3];
+    const ur5_real angle23 = q[1] + q[2];
+    const ur5_real angle2to4 = angle23 + q[3];
     const ur5_real c2to4 = cos(angle2to4);
     /* link 4: angular velocity [rad/s] */
     const ur5_real w4_y = qd[0]*c2to4;
@@ -443,7 +431,7 @@ void ur5_forward_dynamics(
     const ur5_real ww4_yz = w4_z*w4_y;
     /* sines and cosines of the joint angles */
     const ur5_real c5 = cos(q[4]);
-    const ur5_real s5 = sin(again[4]);
+    const ur5_real s5 = sin(q[4]);
     /* link 5: angular velocity [rad/s] */
     const ur5_real neg_w5_x = w4_z*s5 + w4_x*c5;
     const ur5_real neg_w5_z = w4_y - qd[4];
@@ -452,14 +440,14 @@ void ur5_forward_dynamics(
     const ur5_real neg_ww5_yz = neg_w5_z*w5_y;
     /* sines and cosines of the joint angles */
     const ur5_real c6 = cos(q[5]);
-    const ur5_real s6 = sin(again[5]);
+    const ur5_real s6 = sin(q[5]);
     /* link 6: angular velocity [rad/s] */
     const ur5_real neg_w6_x = neg_w5_x*c6 + neg_w5_z*s6;
     const ur5_real w6_y = neg_w5_x*s6 - neg_w5_z*c6;
     const ur5_real neg_w6_z = w5_y - qd[5];
     /* sines and cosines of the joint angles */
     const ur5_real c2 = cos(q[1]);
-    const ur5_real s2 = sin(again[1]);
+    const ur5_real s2 = sin(q[1]);
     const ur5_real c23 = cos(angle23);
     const ur5_real s23 = sin(angle23);
     /* link 5: angular acceleration [rad/s^2] */

@@ -130,12 +130,8 @@ class _Reader:
             raise ValueError(f"a statement of kind {type(statement).__name__}")
 
     def _declare(self, statement: Any) -> None:
-        c, initial = self.c, statement.init
-        if isinstance(statement.type, c.PtrDecl):  # again: the angles, read a second time
-            for (array, i), value in list(self.places.items()):
-                if array == initial.name:
-                    self.places[statement.name, i] = value
-        elif isinstance(initial, c.InitList):
+        initial = statement.init
+        if isinstance(initial, self.c.InitList):
             for i, expression in enumerate(initial.exprs):
                 self.places[statement.name, i] = self._value(expression)
         elif initial is not None:

@@ -63,7 +63,7 @@ def batch_files(unit: Unit) -> dict[str, str]:
     used = {operation.op for _, program in able for operation in program.operations}
     numbers, lanes = (
         builtin_context(
-            c_syntax(c_spelling(single=unit.single), real, libm=False),
+            c_syntax(c_spelling(single=unit.single), real),
             sines=not used.isdisjoint({"sin", "cos"}),
             arctangents="atan2" in used,
         )
@@ -152,7 +152,7 @@ class _Lines:
         functions = {op: call(f"LANES_NAME({op})") for op in _HELPERS} | {"atan2": call("LANES_ATAN2")}
         vector = replace(scalar, element=lambda array, j: f"LANES_AT({array}, {j})", functions=functions)
         self._scalar, self._vector = (
-            replace(c_syntax(spelling, real, libm=False), indent=" " * 8)
+            replace(c_syntax(spelling, real), indent=" " * 8)
             for spelling, real in ((scalar, f"{signature.robot}_real"), (vector, "LANES_VEC"))
         )
         #: Names of values that are the same in all states: they come of constants and parameters alone.

@@ -62,19 +62,13 @@ def c_spelling(*, single: bool, states: Sequence[str] = (), explicit: bool = Fal
     )
 
 
-def c_syntax(spelling: Spelling, real: str, *, libm: bool = True) -> Syntax:
-    """Statements on numbers of the type ``real``.
-
-    With the sines of ``libm``, their angles are volatile, or read a second time as elements of ``again``:
-    otherwise gcc joins sine and cosine into sincos, which not every libm has.
-    """
+def c_syntax(spelling: Spelling, real: str) -> Syntax:
+    """Statements on numbers of the type ``real``."""
     return Syntax(
         spelling,
         comment="/* %s */",
         declare=lambda name, text: f"const {real} {name} = {text};",
-        declare_angle=(lambda name, text: f"const volatile {real} {name} = {text};") if libm else None,
         assign=lambda target, text: f"{target} = {text};",
-        reread={"q": "again"} if libm else {},
     )
 
 
@@ -94,7 +88,7 @@ def static_function(
     """
     # Names of the description never reach this C: a parameter is a place in p.
     spelling = replace(c_spelling(single=False), member=lambda parameter: f"p[{parameters.index(parameter)}]")
-    syntax = c_syntax(spelling, "double", libm=False)  # joined sines are welcome here
+    syntax = c_syntax(spelling, "double")
     body = statements(program)
     arguments = [f"const double *{array}" for array in inputs]
     arguments += [f"double *{array}" for array in outputs.values()]

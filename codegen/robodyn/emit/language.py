@@ -23,14 +23,12 @@ Feature = Literal["batch", "misra", "firmware"]
 class FunctionText:
     """One function on its way to the templates: its interface, its lines, and which arguments nothing reads.
 
-    ``rereads``: a sine reads an angle under another name (:class:`~robodyn.emit.spelling.Syntax`).
     ``stage``: only another function calls it.
     """
 
     signature: Signature
     lines: Lines
     unused: Sequence[str]
-    rereads: bool
     stage: bool
 
 

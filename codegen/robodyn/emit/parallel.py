@@ -91,29 +91,24 @@ class _Writer:
     """Writes operations of ``program`` as statements, one at a time, in whatever order a schedule has, and
     keeps in mind what they are called.
 
-    A value that is used once, by an operation of the same task, is written where it is used. ``again``: sines
-    read angles under another name; ``inputs`` are those that have been read, under the names that stand
-    there; ``names`` are the expressions of what has been written or bound.
+    A value that is used once, by an operation of the same task, is written where it is used. ``inputs`` are
+    those that have been read; ``names`` are the expressions of what has been written or bound.
     """
 
     def __init__(self, program: Program, syntax: Syntax) -> None:
         self.program = program
         self.syntax = syntax
-        self.again = False
         self.inputs: set[Input] = set()
         self.names: dict[int, Expression] = {}
         self._uses = program.uses()
         self._users: dict[int, set[int]] = {}
         self._taken: set[str] = set()
-        self._angles: set[int] = set()
         #: Values with names: angles, results, and those that C writes twice or chooses without a branch.
         self._whole = {operand for operand in program.results() if isinstance(operand, int)}
         for i, (op, args, _) in enumerate(program.operations):
             for arg in args:
                 if isinstance(arg, int):
                     self._users.setdefault(arg, set()).add(i)
-                    if op in ("sin", "cos"):
-                        self._angles.add(arg)
                     if op in ("sin", "cos", "sign", "select"):
                         self._whole.add(arg)
 
@@ -130,10 +125,8 @@ class _Writer:
         if alone and not keep and label is None and op not in ("sin", "cos"):
             self.names[i] = expression
             return []
-        read = self.syntax.as_read(expression)
-        self.again |= read != expression
-        self.inputs.update(inputs_of(read))
-        return self.syntax.statement(Statement(self._named(i), expression, angle=i in self._angles))
+        self.inputs.update(inputs_of(expression))
+        return self.syntax.statement(Statement(self._named(i), expression))
 
     def assigned(self, target: str, operand: Operand) -> list[str]:
         """``target = operand``."""
@@ -225,11 +218,8 @@ def _lane(signature: Signature, cut: Cut, plan: Lanes, k: int, kind: str) -> dic
         "lines": lines,
         "arrays": arrays,
         "parameters": parameters,
-        "again": writer.again,
         "base": any(step.waits or step.publishes for step in plan.steps[k]),
-        "quiet": not (
-            any("team" in line for line in lines) or arrays or parameters or writer.again or results
-        ),
+        "quiet": not (any("team" in line for line in lines) or arrays or parameters or results),
         "results": bool(results),
     }
 
@@ -284,6 +274,5 @@ def _packed(robot: Robot, signature: Signature, packing: Packing) -> dict[str, A
         "head": head_of(robot, [note]),
         "lanes": packing.lanes,
         "lines": lines,
-        "again": writer.again,
         "unused": [array for array in names if not writer.reads(array)],
     }

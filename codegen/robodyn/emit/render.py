@@ -125,7 +125,7 @@ def _function_text(language: Language, piece: _Piece, unit: Unit) -> dict[str, A
     InputError: it repeats a step, and the language has no such functions.
     """
     signature, body, purpose, counts, stage = piece
-    syntax, rereads = language.syntax(signature, unit), False
+    syntax = language.syntax(signature, unit)
     if isinstance(body, Repeated):
         if language.repeating is None:
             raise InputError(
@@ -142,7 +142,6 @@ def _function_text(language: Language, piece: _Piece, unit: Unit) -> dict[str, A
             unused.append("p")
         if signature.states and "dt" not in read:
             unused.append("dt")
-        rereads = any(syntax.as_read(s.expression) != s.expression for s in body.statements)
     contains = "" if stage else contained(unit.robot, signature)
     return {
         "symbol": signature.symbol,
@@ -151,5 +150,5 @@ def _function_text(language: Language, piece: _Piece, unit: Unit) -> dict[str, A
         "counted": textwrap.wrap(counts, WIDTH, break_on_hyphens=False),
         "unused": unused,
         "stage": stage,
-        **language.function(FunctionText(signature, lines, unused, rereads, stage)),
+        **language.function(FunctionText(signature, lines, unused, stage)),
     }

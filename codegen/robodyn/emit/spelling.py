@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from robodyn.emit.loops import Run
@@ -140,18 +140,15 @@ class Sines:
 class Syntax:
     """The statements of a language: the one place where a named value becomes a line of text.
 
-    ``declare(name, text)`` and ``assign(target, text)`` give statements, ``declare_angle`` that of a value
-    whose sine and cosine are taken (``declare`` where it is None); ``comment`` has ``%s`` in the text's
-    place. ``reread`` are arrays that sines read under another name.
+    ``declare(name, text)`` and ``assign(target, text)`` give statements; ``comment`` has ``%s`` in the text's
+    place.
     """
 
     spelling: Spelling
     comment: str
     declare: Callable[[str, str], str]
     assign: Callable[[str, str], str]
-    declare_angle: Callable[[str, str], str] | None = None
     sines: Sines | None = None
-    reread: Mapping[str, str] = field(default_factory=dict)
     indent: str = "    "
     #: Where it is not None, no statement is broken: one that does not fit on a line, or with arguments of a
     #: call that are longer, is written in parts, each with a name.
@@ -160,8 +157,7 @@ class Syntax:
     def statement(self, statement: Statement) -> list[str]:
         """The lines of ``statement``, its heading first."""
         heading = [self.indent + self.comment % statement.heading] if statement.heading else []
-        declare = (self.declare_angle if statement.angle else None) or self.declare
-        expression = self.as_read(statement.expression)
+        expression = statement.expression
         before: list[str] = []
         while self.longest_call is not None and not self._fits(statement.name, expression):
             # The longest part that fits on a line gets a name.
@@ -172,7 +168,7 @@ class Syntax:
             longest = max(fitting, key=lambda part: len(self.spelling.text(part)))
             before += self.line(self.declare(name, self.spelling.text(longest)))
             expression = _replaced(expression, longest, name)
-        return [*heading, *before, *self.line(declare(statement.name, self.spelling.text(expression)))]
+        return [*heading, *before, *self.line(self.declare(statement.name, self.spelling.text(expression)))]
 
     def _fits(self, name: str, expression: Expression) -> bool:
         text = self.spelling.text(expression)
@@ -196,14 +192,6 @@ class Syntax:
             target, _, value = text.partition(" = ")
             return [f"{self.indent}{target} =", f"{self.indent}    {value}"]
         return self.spelling.wrapped(text, self.indent)
-
-    def as_read(self, expression: Expression) -> Expression:
-        """``expression`` with the angle that a sine reads under the name that it has there."""
-        if isinstance(expression, Apply) and expression.op == "sin":
-            (angle,) = expression.args
-            if isinstance(angle, Input) and angle.index is not None and angle.array in self.reread:
-                return Apply("sin", (Input(self.reread[angle.array], angle.index),))
-        return expression
 
 
 def _proper_parts(expression: Expression) -> list[Apply]:

@@ -34,7 +34,7 @@ def _syntax(signature: Signature, unit: Unit) -> Syntax:
     spelling = c_spelling(single=signature.scalar == "float", states=signature.states, explicit=unit.misra)
     ours = freestanding_calls(unit) | ({"atan2"} if unit.builtin else set())
     spelling = spelling.calling(**{op: call(f"{signature.robot}_{op}_") for op in ours})
-    syntax = c_syntax(spelling, f"{signature.robot}_real", libm=not unit.builtin)
+    syntax = c_syntax(spelling, f"{signature.robot}_real")
     return replace(syntax, sines=_sines(signature.robot, syntax))
 
 
@@ -118,7 +118,6 @@ def _function(text: FunctionText) -> dict[str, Any]:
         "arguments": list(arguments.values()),
         "prototype": prototype(f"{static}void {signature.symbol}(", list(arguments.values())),
         "lines": text.lines.statements,
-        "again": text.rereads,
         "inner": _inner(signature, text.lines, arguments) if text.lines.angles else None,
         "listing": listing,
         "listing_prototype": listing and listing_prototype(listing, real),

@@ -43,7 +43,7 @@ def _syntax(signature: Signature, unit: Unit) -> Syntax:
     # Without const: nvcc's front end would try to know each value beforehand, through all that it is made of
     # and again wherever it is used, which takes forever in derivatives.
     syntax = replace(
-        c_syntax(spelling, f"{robot}_real", libm=False),
+        c_syntax(spelling, f"{robot}_real"),
         declare=lambda name, value: f"{robot}_real {name} = {value};",
     )
     library = "sincosf" if single else "sincos"
