@@ -30,6 +30,9 @@ def nearest() -> Kernel:
 def test_one_pose(kernel: Kernel) -> None:
     answer = kernel.inverse_kinematics(T[0])
     assert isinstance(answer, Solutions)
+    for other in (kernel.inverse_kinematics(T[0].tolist()), kernel.inverse_kinematics(T[0], np.zeros(6))):
+        for one, two in zip(answer, other, strict=True):  # without a reference: as if that were zero
+            assert one.tobytes() == two.tobytes()
     assert answer.solutions.shape == (8, 6)
     assert answer.exists.shape == answer.within.shape == answer.singular.shape == (8,)
     assert answer.solution_count.shape == ()

@@ -21,7 +21,8 @@ Calling kernels from Python:
   function on arrays, ``kernel.Workspace`` does so without allocation.
 - ``robot_kernel`` does both in one call, which is what ``robodyn.compile`` is.
 - ``arrays`` checks what is passed in, ``wrapper`` is the C between Python and
-  the emitted functions.
+  the emitted functions, ``direct`` that which answers calls whose arrays need
+  no conversion.
 
 Without a compiler: ``array_dynamics.Model`` gives torques, loads, mass matrix
 and regressor of a robot over samples ``[K, n]`` in numpy. It is the one class

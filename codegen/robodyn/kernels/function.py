@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import collections
+import functools
+import inspect
 import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -56,11 +59,8 @@ class Function:
         self._inputs, self._names = (
             tuple(name for name, _ in arrays) for arrays in (signature.inputs, signature.outputs)
         )
-        self.inputs, self.results = (
-            tuple((name, _array(name, size).shape_of(size, signature.joints)) for name, size in arrays)
-            for arrays in (signature.inputs, signature.outputs)
-        )
-        self.optional = frozenset(name for name, length in signature.inputs if _array(name, length).optional)
+        self.inputs, self.results = shapes_of(signature)
+        self.optional = optional_of(signature)
         self.where = f"{signature.robot}.{signature.function}"
         self._call = getattr(library.lib, f"{signature.function}_robodyn_batch")
         self._pointer = f"{signature.scalar}[]"
@@ -182,6 +182,34 @@ class Function:
         return f"<{self.where}({', '.join(self._inputs)}) -> {self._output_text()}>"
 
 
+def function_of(signature: Signature, library: Library, parameters: Sequence[str]) -> Function:
+    """The function ``signature`` of ``library``; one whose calls with arrays that need no conversion are
+    answered by the library's own C, where it has such."""
+    if library.direct is None:
+        return Function(signature, library, parameters)
+    shown = inspect.signature(Function.__call__)
+    shown = shown.replace(parameters=list(shown.parameters.values())[1:])  # without self
+    kind: Any = type("Function", (library.direct.Call, Function), {"__signature__": shown})
+    made = kind(signature, library, parameters)
+    made.of(made.name, named_results(made._names), Function.__call__)
+    function: Function = made
+    return function
+
+
+def optional_of(signature: Signature) -> frozenset[str]:
+    """The inputs of ``signature`` that may be left out; they come last."""
+    return frozenset(name for name, length in signature.inputs if _array(name, length).optional)
+
+
+def shapes_of(signature: Signature) -> tuple[tuple[tuple[str, Shape], ...], tuple[tuple[str, Shape], ...]]:
+    """Names and shapes of the inputs of ``signature``, and of its results."""
+    inputs, results = (
+        tuple((name, _array(name, size).shape_of(size, signature.joints)) for name, size in arrays)
+        for arrays in (signature.inputs, signature.outputs)
+    )
+    return inputs, results
+
+
 def _array(name: str, length: int) -> Described:
     """What the array ``name`` is; one of a function by other makers is a vector."""
     return arrays().get(name) or Described(name, "SI units", "", shape=(length,))
@@ -252,14 +280,26 @@ class NearestSolution(NamedTuple):
     branch: Array
 
 
-def handed_back(names: tuple[str, ...], results: Sequence[Array]) -> Array | tuple[Array, ...]:
-    """The results called ``names``: one array as it is, several as a tuple, with names where it has such."""
-    if len(results) == 1:
-        return results[0]
+@functools.cache
+def named_results(names: tuple[str, ...]) -> type[tuple[Array, ...]]:
+    """The tuple that the results called ``names`` are handed back in."""
     for kind in (Solutions, NearestSolution):
         if names == kind._fields:
-            return kind(*results)
-    return tuple(results)
+            return kind
+
+    def reduced(self: tuple[Array, ...]) -> tuple[Any, ...]:
+        return handed_back, (names, tuple(self))  # pickle does not find a class that is made here
+
+    namedtuple: Any = collections.namedtuple  # of names that are known when this runs
+    made = namedtuple("Results", names, rename=True)
+    made.__reduce__ = reduced
+    results: type[tuple[Array, ...]] = made
+    return results
+
+
+def handed_back(names: tuple[str, ...], results: Sequence[Array]) -> Array | tuple[Array, ...]:
+    """The results called ``names``: one array as it is, several as a tuple with these names."""
+    return results[0] if len(results) == 1 else named_results(names)._make(results)  # type: ignore[attr-defined]
 
 
 def _rows(solutions: Array, chosen: Array) -> Array | list[Array]:

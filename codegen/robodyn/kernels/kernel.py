@@ -26,7 +26,8 @@ from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.arrays import Array, read_parameters
 from robodyn.kernels.batch import Batch, batch_calls
-from robodyn.kernels.function import Function
+from robodyn.kernels.direct import direct_calls
+from robodyn.kernels.function import Function, function_of
 from robodyn.kernels.wrapper import layout, parameters_of, prototypes, wrapper
 from robodyn.toolchain.library import Calls, Library, Mode, open_library
 
@@ -73,7 +74,7 @@ def load(
     signatures = tuple(signatures)
     _check(signatures)
     library = open_library(
-        Calls(prototypes(signatures), wrapper(signatures, files, language)),
+        Calls(prototypes(signatures), wrapper(signatures, files, language), direct_calls(signatures)),
         files,
         language=language,
         mode=mode,
@@ -133,7 +134,7 @@ class Kernel:
         self.mode, self.path = library.mode, library.path
         self.compiler, self.flags = library.compiler, library.flags
         self._again = again
-        self._functions = {s.function: Function(s, library, self.parameters) for s in signatures}
+        self._functions = {s.function: function_of(s, library, self.parameters) for s in signatures}
         self.__dict__.update(self._functions)
         self._batches: dict[str, Batch] = {}
         self._lock = threading.Lock()

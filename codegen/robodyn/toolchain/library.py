@@ -2,7 +2,8 @@
 
 There are two ways to load. ``api`` compiles a Python extension around the kernels, for the cheapest calls;
 it needs Python's headers. ``abi`` opens a plain shared library; it needs nothing but the compiler, and a call
-costs more. Both run the same machine code on the numbers.
+costs more. Both run the same machine code on the numbers. An ``api`` library may hold a second module, calls
+that take numpy's arrays without cffi; where that cannot be compiled or loaded, the library does without.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any, Literal
+
+import numpy as np
 
 from robodyn.emit.languages import compiled_language, language_named
 from robodyn.errors import InputError, ToolError
@@ -33,7 +36,9 @@ from robodyn.tools.programs import PYTHON_HEADERS
 Mode = Literal["auto", "api", "abi"]
 
 #: With a hyphen, which no emitted file has in its name: a robot may be called what it likes.
-_WRAPPER = "robodyn-calls.c"
+_WRAPPER, _DIRECT = "robodyn-calls.c", "robodyn-direct.c"
+#: The second module of an ``api`` library, by which Python finds it there.
+DIRECT = "robodyn_direct"
 _STRICT = ("-Werror=incompatible-pointer-types", "-Werror=implicit-function-declaration")
 _loaded: dict[str, Library] = {}
 _lock = threading.Lock()
@@ -41,15 +46,17 @@ _lock = threading.Lock()
 
 @dataclass(frozen=True, slots=True)
 class Calls:
-    """The C between Python and the kernels: its source, and its prototypes as cffi reads them."""
+    """The C between Python and the kernels: its source, its prototypes as cffi reads them; ``direct``: the
+    source of the module :data:`DIRECT`, "" for none."""
 
     prototypes: str
     source: str
+    direct: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Library:
-    """A loaded library: cffi's two halves, and how it was made."""
+    """A loaded library: cffi's two halves, and how it was made; ``direct`` is its second module, if any."""
 
     ffi: Any
     lib: Any
@@ -57,6 +64,7 @@ class Library:
     path: Path
     compiler: str
     flags: tuple[str, ...]
+    direct: Any = None
 
 
 def open_library(
@@ -78,7 +86,7 @@ def open_library(
     around = chosen if language == "c" else C_FLAGS
     content = {
         "files": dict(files),
-        "wrapper": calls.source,
+        "wrapper": [calls.source, calls.direct],
         "language": language,
         "flags": [chosen, around],
         "compilers": [[k.command, k.identity] for k in (c, main)],
@@ -101,13 +109,15 @@ def open_library(
             objects.append(c.compile(_WRAPPER, flags=(*around, *_STRICT), folder=folder))
             if way == "api":
                 objects.append(_binding(name, calls.prototypes, c, folder))
+                objects += _direct(calls.direct, c, folder)
             suffix = str(sysconfig.get_config_var("EXT_SUFFIX")) if way == "api" else ".so"
             main.link(objects, name + suffix, flags=chosen, folder=folder, extension=way == "api")
             return name + suffix
 
         path = _fetch(Cache(cache), key, build)
         ffi, lib = _load_api(name, path) if way == "api" else _load_abi(calls.prototypes, path)
-        library = Library(ffi, lib, way, path, main.version, chosen)
+        direct = _load_direct(path) if way == "api" and calls.direct else None
+        library = Library(ffi, lib, way, path, main.version, chosen, direct)
         with _lock:
             return _loaded.setdefault(key, library)
 
@@ -137,7 +147,7 @@ def _sources(files: Mapping[str, str], language: str) -> list[str]:
     endings = spoken.suffixes
     for path in files:
         pure = PurePosixPath(path)
-        if pure.is_absolute() or ".." in pure.parts or path == _WRAPPER:
+        if pure.is_absolute() or ".." in pure.parts or path in (_WRAPPER, _DIRECT):
             raise InputError(
                 "an emitted file has an impossible path",
                 found=repr(path),
@@ -166,14 +176,28 @@ def _binding(name: str, declared: str, c: Compiler, folder: Path) -> str:
     ffi.cdef(declared)
     ffi.set_source(name, "#include <stddef.h>\n" + declared, compiler_verbose=0)
     ffi.emit_c_code(str(folder / f"{name}.c"))
-    headers = {sysconfig.get_path("include"), sysconfig.get_path("platinclude")}
-    include = [f"-I{path}" for path in sorted(headers)]
     try:
-        return c.compile(f"{name}.c", flags=("-O1", "-w", *include), folder=folder)
+        return c.compile(f"{name}.c", flags=("-O1", "-w", *_include()), folder=folder)
     except ToolError as error:
         raise _BindingError(
             error.what, found=error.found, remedy=f"{error.remedy}; mode 'abi' does without Python's headers"
         ) from None
+
+
+def _include() -> list[str]:
+    headers = {sysconfig.get_path("include"), sysconfig.get_path("platinclude")}
+    return [f"-I{path}" for path in sorted(headers)]
+
+
+def _direct(source: str, c: Compiler, folder: Path) -> list[str]:
+    """Compile the module :data:`DIRECT`; its object, none where this Python or numpy cannot have it."""
+    if not source or sys.implementation.name != "cpython":
+        return []
+    (folder / _DIRECT).write_text(source, encoding="utf-8", newline="\n")
+    try:
+        return [c.compile(_DIRECT, flags=("-O2", "-w", *_include(), f"-I{np.get_include()}"), folder=folder)]
+    except ToolError:
+        return []
 
 
 def _fetch(cache: Cache, key: str, build: Callable[[Path], str]) -> Path:
@@ -188,17 +212,30 @@ def _fetch(cache: Cache, key: str, build: Callable[[Path], str]) -> Path:
 
 
 def _load_api(name: str, path: Path) -> tuple[Any, Any]:
-    loader = importlib.machinery.ExtensionFileLoader(name, str(path))
-    spec = importlib.util.spec_from_file_location(name, path, loader=loader)
-    assert spec is not None
     try:
-        module = importlib.util.module_from_spec(spec)
-        loader.exec_module(module)
+        module = _module(name, path)
     except ImportError as error:
         raise _BindingError(
             "the compiled kernel does not load", found=str(error), remedy=_EXECUTABLE
         ) from None
     return module.ffi, module.lib
+
+
+def _load_direct(path: Path) -> Any:
+    try:
+        return _module(DIRECT, path)
+    except ImportError:  # it is not in there, or is not for this numpy
+        return None
+
+
+def _module(name: str, path: Path) -> Any:
+    """The module ``name`` of the library ``path``, which may hold several."""
+    loader = importlib.machinery.ExtensionFileLoader(name, str(path))
+    spec = importlib.util.spec_from_file_location(name, path, loader=loader)
+    assert spec is not None
+    module = importlib.util.module_from_spec(spec)
+    loader.exec_module(module)
+    return module
 
 
 def _load_abi(declared: str, path: Path) -> tuple[Any, Any]:
@@ -216,7 +253,7 @@ _EXECUTABLE = "set ROBODYN_CACHE to a folder from which libraries may be loaded"
 
 
 def _python() -> list[str]:
-    """What an extension depends on: this Python's binary interface, and cffi's."""
+    """What an extension depends on: this Python's binary interface, cffi's and numpy's."""
     import cffi
 
     return [
@@ -224,6 +261,7 @@ def _python() -> list[str]:
         str(sysconfig.get_config_var("EXT_SUFFIX")),
         sysconfig.get_path("include"),
         cffi.__version__,
+        np.__version__,
     ]
 
 
