@@ -136,6 +136,7 @@ class Target:
     """A processor, and what is chosen for it where no option says otherwise.
 
     ``flags`` choose the processor for gcc and clang; None: there is no compiler, and it is for plans only.
+    ``level`` is that of their optimisation.
     ``scalar``, ``contraction``, ``trig`` and ``order`` are the defaults of generation and ``why`` the reason
     for the contraction; ``lanes`` how many sines its vectors take at once (1: no vectors); ``registers`` how
     many values it keeps at hand. ``hardware`` names the scalar types that its floating-point unit has: for
@@ -151,6 +152,7 @@ class Target:
     why: str = ""
     aliases: tuple[str, ...] = ()
     flags: tuple[str, ...] | None = None
+    level: Literal["-O2", "-O3"] = "-O2"
     scalar: ScalarType = "double"
     contraction: Contraction = "off"
     trig: Literal["builtin"] = "builtin"
@@ -179,7 +181,7 @@ class Target:
     def compiled(self, contraction: Contraction) -> str:
         """The flags of gcc and clang, for ``contraction``."""
         contract = f"-ffp-contract={'fast' if contraction == 'on' else 'off'}"
-        return " ".join(("-std=c99", "-O2", *(self.flags or ()), contract, "-fno-math-errno"))
+        return " ".join(("-std=c99", self.level, *(self.flags or ()), contract, "-fno-math-errno"))
 
 
 #: Targets by name, in the order of their names.

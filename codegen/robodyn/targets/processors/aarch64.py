@@ -9,6 +9,7 @@ TARGET = replace(
     name="aarch64",
     title="64-bit Arm",
     flags=(),
+    level="-O2",
     registers=30,
     costs_as="x86-64-v3",
 )
