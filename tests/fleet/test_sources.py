@@ -18,7 +18,6 @@ import pytest
 from robodyn.errors import InputError
 from robodyn.fleet.sources.fleet import Fleet
 from robodyn.fleet.sources.reading import read_fleet
-from robodyn.logs.log import read_log
 from robodyn.logs.mapping import map_of_text
 from robodyn.robot.reader import read_text
 from robodyn_cli.main import main
@@ -122,14 +121,6 @@ def test_logs_are_as_the_file_says(name: str, tmp_path: Path) -> None:
     assert {log.type for log in logs} == {"ur5"}
 
 
-def test_what_only_the_logs_say_completes_a_fleet(tmp_path: Path) -> None:
-    fleet = read(tmp_path, TYPE + "[[logs]]\nfiles = '{unit}.csv'\ndate = 'log'\n", "7.csv", "8.csv")
-    first, second = (log.source for log in fleet.logs)
-    dates = {log.source: log.date for log in fleet.dated({second: 1.8e9}).logs}
-    assert dates[second] == 1.8e9
-    assert math.isnan(dates[first])
-
-
 def test_a_type_has_a_map_columns_and_parameters(tmp_path: Path) -> None:
     (tmp_path / "map.yaml").write_text("q: joint_%d_pos[deg]\n", encoding="utf-8")
     arm = "name: arm\nlinks:\n  - {joint: revolute, mass: m}\n"
@@ -175,9 +166,9 @@ def test_a_folder_without_a_description(tmp_path: Path) -> None:
     assert fleet.types["ur5"].mapping == "q: joint_%d_pos[deg]\n"
     (tmp_path / "empty").mkdir()
     for name, folder, message in (
-        ("ur5/7/second.csv", ".", r"second\.csv: the date of a log cannot be read; found 'second'"),
-        ("notes.md", "empty", "no fleet is recognised"),
-        ("strange/1/2026-05-03.csv", ".", "the type 'strange' have no description"),
+        ("strange/1/2026-05-03.csv", ".", r"neither a description nor a bundled robot.*'strange\.yaml'"),
+        ("ur5/7/second.csv", ".", r"a log of the folder has no date in its name; found 'ur5/7/second\.csv'"),
+        ("notes.md", "empty", "no log fits the pattern"),
         ("notes.md", "gone", "gone: the file cannot be read; .*expected a description of a fleet"),
     ):
         write(tmp_path, name)
@@ -260,41 +251,29 @@ def test_a_log_named_with_its_folder_and_without_is_one(
     assert log.source == LOG
 
 
-def test_the_example_is_a_fleet() -> None:
-    folder = Path(__file__).parents[2] / "examples" / "fleet"
-    fleet = read_fleet(folder)
-    assert [log.unit for log in fleet.logs] == [*5 * ["north"], *5 * ["south"]]
-    assert all(set(log.conditions) == {"temperature"} for log in fleet.logs)
-    page = (folder.parents[1] / "docs" / "fleet-sources.md").read_text(encoding="utf-8")
-    assert (folder / "fleet.toml").read_text(encoding="utf-8") in page
-    log = read_log(fleet.logs[0].source, 3)
-    assert (log.samples, log.t[-1]) == (401, 8.0)
+#: Descriptions that are right, and that are wrong, without what all of them have.
+GOOD = ["", "exclude = ['a/*']\nconditions = {load = 2}\ntype = 'ur5'\n"]
+GOOD_TABLES = ["columns = {unit = 'serial'}\nconditions = ['load']\n", "conditions = {load = 'load'}\n"]
+BAD = [
+    "manifest = 'm.csv'\n", "columns = {unit = 'x'}\n", "conditions = ['load']\n", "exclude = [3]\n",
+    "date = 3\n", "unit = ' '\n", "conditions = {unit = 3}\n",
+]  # fmt: skip
+BAD_TABLES = ["columns = {serial = 'unit'}\n", "conditions = [3]\n", "conditions = {load = 3}\n"]
+BAD_WHOLE = [
+    TYPE, FILES, "[types]\n" + FILES, TYPE + "logs = []\n" + FILES, "name = 3\n" + TYPE + FILES,
+    TYPE + "map = 'm.yaml'\ncolumns = 'q=q%d'\n" + FILES, TYPE + "parameters = {m = 'x'}\n" + FILES,
+    TYPE + "[[logs]]\nunit = 'x'\n",
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(
     ("text", "good"),
     [
-        (TYPE + FILES, True),
-        ("name = 'x'\ntimezone = 'UTC'\n[types.ur5]\nrobot = 'ur5'\nparameters = {}\n" + FILES, True),
-        (TYPE + FILES + "exclude = ['a/*']\nconditions = {load = 2}\ntype = 'ur5'\n", True),
-        (TYPE + MANIFEST + "columns = {unit = 'serial'}\nconditions = ['load']\n", True),
-        (TYPE + MANIFEST + "conditions = {load = 'load'}\nexclude = 'b*'\n", True),
-        (TYPE, False),
-        (FILES, False),
-        ("[types]\n" + FILES, False),
-        (TYPE + "logs = []\n" + FILES, False),
-        ("name = 3\n" + TYPE + FILES, False),
-        (TYPE + "map = 'm.yaml'\ncolumns = 'q=q%d'\n" + FILES, False),
-        (TYPE + "parameters = {m = 'x'}\n" + FILES, False),
-        (TYPE + FILES + "manifest = 'm.csv'\n", False),
-        (TYPE + FILES + "columns = {unit = 'x'}\n", False),
-        (TYPE + FILES + "conditions = ['load']\n", False),
-        (TYPE + FILES + "exclude = [3]\n", False),
-        (TYPE + FILES + "date = 3\n", False),
-        (TYPE + MANIFEST + "columns = {serial = 'unit'}\n", False),
-        (TYPE + MANIFEST + "conditions = [3]\n", False),
-        (TYPE + MANIFEST + "conditions = {load = 3}\n", False),
-        (TYPE + "[[logs]]\nunit = 'x'\n", False),
+        *((TYPE + FILES + text, True) for text in GOOD),
+        *((TYPE + MANIFEST + text, True) for text in GOOD_TABLES),
+        *((TYPE + FILES + text, False) for text in BAD),
+        *((TYPE + MANIFEST + text, False) for text in BAD_TABLES),
+        *((text, False) for text in BAD_WHOLE),
     ],
 )
 def test_the_schema_and_the_reader_agree(

@@ -27,6 +27,12 @@ _IN_NAME: Final = re.compile(rf"(?<!\d){ISO}(?!\d)", re.ASCII)
 DAY: Final = 86400.0
 #: Words in place of a format: seconds and milliseconds since 1970.
 UNIX: Final = {"unix": 1.0, "unix_ms": 1000.0}
+#: What a date of each word, and one without a format, looks like.
+_EXAMPLES: Final = {
+    "unix": "a number of seconds since 1970",
+    "unix_ms": "a number of milliseconds since 1970",
+    "": "a date like 2026-05-03T1200 (ISO 8601)",
+}
 #: What each directive of a format can stand for in the name of a file.
 _DIRECTIVES: Final = {
     "Y": r"\d{4}", "G": r"\d{4}", "j": r"\d{1,3}", "f": r"\d{1,6}", "z": r"(?:Z|[+-]\d\d:?\d\d)", "%": "%",
@@ -43,13 +49,6 @@ class DateFormat:
     format: str
     zone: tzinfo = UTC
 
-    @property
-    def expected(self) -> str:
-        """What a date looks like, for messages."""
-        if self.format in UNIX:
-            return f"a number of {'milliseconds' if self.format == 'unix_ms' else 'seconds'} since 1970"
-        return f"a date like {self.format}" if self.format else "a date like 2026-05-03T1200 (ISO 8601)"
-
     def seconds(self, text: str) -> float:
         """The point in time [s since 1970, UTC] that ``text`` says.
 
@@ -57,7 +56,7 @@ class DateFormat:
         ------
         InputError: it says none, or one that no log can have.
         """
-        expected = self.expected
+        expected = _EXAMPLES.get(self.format, f"a date like {self.format}")
         try:
             seconds = self._seconds(text.strip())
             if EARLIEST <= seconds < LATEST:
@@ -76,24 +75,17 @@ class DateFormat:
     def _seconds(self, text: str) -> float:
         if self.format in UNIX:
             return float(text) / UNIX[self.format]
-        moment = datetime.strptime(text, self.format) if self.format else iso(text)
+        if self.format:
+            moment = datetime.strptime(text, self.format)
+        else:
+            match = re.fullmatch(_PARTS, text, re.ASCII)
+            if match is None:
+                raise ValueError(text)
+            year, month, day, hour, minute, second = (int(part or 0) for part in match.groups()[:6])
+            micros = int((match[7] or "").ljust(6, "0")[:6])
+            zone = zone_of(match[8]) if match[8] else None
+            moment = datetime(year, month, day, hour, minute, second, micros, zone)
         return (moment if moment.tzinfo else moment.replace(tzinfo=self.zone)).timestamp()
-
-
-def iso(text: str) -> datetime:
-    """The date, perhaps with a time of day and an offset, that ``text`` says (:data:`ISO`).
-
-    Raises
-    ------
-    ValueError: it is none.
-    """
-    match = re.fullmatch(_PARTS, text, re.ASCII)
-    if match is None:
-        raise ValueError(text)
-    year, month, day, hour, minute, second = (int(digits or 0) for digits in match.groups()[:6])
-    micros = int((match[7] or "").ljust(6, "0")[:6])
-    zone = zone_of(match[8]) if match[8] else None
-    return datetime(year, month, day, hour, minute, second, micros, zone)
 
 
 def date_in(name: str) -> re.Match[str] | None:
@@ -114,14 +106,12 @@ def zone_of(text: str) -> tzinfo:
     ------
     InputError: there is none.
     """
-    try:
-        zone = datetime.strptime(text.removeprefix("UTC") or "Z", "%z").tzinfo
-    except ValueError:
-        zone = None
-    if zone is not None:
-        return zone
     import zoneinfo
 
+    try:
+        return datetime.strptime(text.removeprefix("UTC") or "Z", "%z").tzinfo or UTC
+    except ValueError:
+        pass
     try:
         return zoneinfo.ZoneInfo(text)
     except (KeyError, OSError, ValueError):
@@ -140,7 +130,7 @@ def check_format(text: str) -> str:
     ------
     InputError: it is none, or one without a year.
     """
-    if text in UNIX or not text:
+    if text in _EXAMPLES:
         return text
     day = datetime(2026, 5, 3, 12, 34, tzinfo=UTC)
     try:

@@ -6,7 +6,6 @@ import math
 import os
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
@@ -17,39 +16,34 @@ from robodyn.fleet.limits import LISTED, LONGEST_NAME, MOST_CONDITIONS, MOST_LOG
 from robodyn.fleet.result import Unused
 from robodyn.fleet.sources.dates import DateFormat
 from robodyn.fleet.sources.fleet import IN_LOG, ArmType, Fleet, LogFile
-from robodyn.fleet.sources.pattern import DATE, TEXTS
+from robodyn.fleet.sources.pattern import DATE
 from robodyn.logs.content import files_of
 from robodyn.robot.names import shown
 
-#: The date of logs whose own times are dates.
-IN_LOG_WORD: Final = "log"
-#: What a log must have, and where it may be stated.
-_NEEDED: Final = {
+#: What a log must have, and where it may be stated; all else that is known of it are conditions.
+NEEDED: Final = {
     "type": "{type} in the pattern, a column of the manifest, or type = ...",
     "unit": "{unit} in the pattern, a column of the manifest, or unit = ...",
-    "date": "{date} in the pattern, a column of the manifest, or date = 'log' for times in it",
+    DATE: "{date} in the pattern, a column of the manifest, or date = 'log' for times in it",
 }
-
-
-@dataclass(frozen=True, slots=True)
-class Facts:
-    """What one place says of a log: ``where`` it does; what is ``stated`` by its name, of type, unit, date
-    [s since 1970] and :data:`IN_LOG_WORD`, if the times in the log are dates; ``conditions``."""
-
-    where: Place
-    stated: dict[str, Any] = field(default_factory=dict)
-    conditions: dict[str, float] = field(default_factory=dict)
+#: What is known of a log: type, unit and date [s since 1970; IN_LOG: its own times say it], and conditions.
+Facts = dict[str, Any]
 
 
 class Gathering:
     """The logs of a fleet: each once, however many places speak of it."""
 
     def __init__(self) -> None:
-        self._logs: dict[str, tuple[str, Facts]] = {}
+        self._logs: dict[str, tuple[str, Place, Facts]] = {}
         self._faults: dict[str, list[InputError]] = {}
 
     def take(
-        self, source: str, where: Place, texts: Mapping[str, str], fixed: Facts, dates: DateFormat | None
+        self,
+        source: str,
+        where: Place,
+        texts: Mapping[str, str],
+        fixed: Mapping[str, Any],
+        dates: DateFormat | None,
     ) -> None:
         """Take up the ``texts`` by their names that stand ``where`` of the log ``source``, beside what is
         ``fixed`` of several: type, unit, its date as ``dates`` are written, and conditions.
@@ -58,37 +52,38 @@ class Gathering:
         ------
         InputError: another place says otherwise, or there are too many logs.
         """
-        facts = Facts(where, dict(fixed.stated), dict(fixed.conditions))
+        facts: Facts = dict(fixed)
         try:
             for name, text in texts.items():
-                if name in TEXTS:
-                    facts.stated[name] = text
+                if name not in NEEDED:
+                    facts[name] = _number(name, text)
                 elif name != DATE:
-                    facts.conditions[name] = _number(name, text)
+                    facts[name] = text
                 elif dates is not None:
-                    facts.stated[name] = dates.seconds(text)
+                    facts[name] = dates.seconds(text)
         except InputError as error:
             self._fault(error.at(where))
         else:
-            self._add(source, facts)
+            self._add(source, where, facts)
         if len(self._logs) + sum(map(len, self._faults.values())) > MOST_LOGS:
             raise InputError("there are too many logs", where=where, found=f"more than {MOST_LOGS}")
 
-    def _add(self, source: str, facts: Facts) -> None:
+    def _add(self, source: str, where: Place, facts: Facts) -> None:
         key = "+".join(os.path.abspath(part) for part in source.split("+"))  # noqa: PTH100 (a million)
         source = "+".join(os.path.normpath(part) for part in source.split("+"))
-        source, own = self._logs.setdefault(key, (source, facts))
-        for before, now in ((own.stated, facts.stated), (own.conditions, facts.conditions)):
-            for name, value in now.items():
-                if before.setdefault(name, value) != value:
-                    one, other = (day(x) if name == DATE else shown(str(x)) for x in (before[name], value))
-                    raise InputError(
-                        f"two places differ in the {name} of {label(source)}",
-                        where=facts.where,
-                        found=other,
-                        expected=f"{one}, as {own.where} has it",
-                        remedy="correct one of them, or leave one out with exclude",
-                    )
+        source, first, known = self._logs.setdefault(key, (source, where, facts))
+        for name, value in facts.items():
+            if known.get(name, IN_LOG) is IN_LOG:
+                known[name] = value
+            elif value is not IN_LOG and known[name] != value:
+                one, other = (day(x) if name == DATE else shown(str(x)) for x in (known[name], value))
+                raise InputError(
+                    f"two places differ in the {name} of {label(source)}",
+                    where=where,
+                    found=other,
+                    expected=f"{one}, as {first} has it",
+                    remedy="correct one of them, or leave one out with exclude",
+                )
 
     def _fault(self, error: InputError) -> None:
         self._faults.setdefault(error.what, []).append(error)
@@ -101,17 +96,15 @@ class Gathering:
         InputError: there are no logs; one lacks its type, unit or date, or has those that no log can have.
         """
         logs, missing = [], []
-        for source, facts in self._logs.values():
+        for source, place, facts in self._logs.values():
             if len(types) == 1:
-                facts.stated.setdefault("type", next(iter(types)))
-            if IN_LOG_WORD in facts.stated:
-                facts.stated.setdefault(DATE, IN_LOG)
-            if not facts.stated.keys() >= _NEEDED.keys() and not _is_there(source):
-                kind, unit = (facts.stated.get(key, "") for key in ("type", "unit"))
-                missing.append(Unused(source, kind, unit, f"{facts.where} names it, and it is not there"))
+                facts.setdefault("type", next(iter(types)))
+            if not facts.keys() >= NEEDED.keys() and not all(map(os.path.exists, files_of(source))):
+                kind, unit = (facts.get(key, "") for key in ("type", "unit"))
+                missing.append(Unused(source, kind, unit, f"{place} names it, and it is not there"))
                 continue
             try:
-                logs.append(_log(source, facts, types))
+                logs.append(_log(source, place, facts, types))
             except InputError as error:
                 self._fault(error)
         for same in self._faults.values():
@@ -121,18 +114,17 @@ class Gathering:
         return Fleet(name, types, tuple(sorted(logs, key=lambda log: log.order)), tuple(missing))
 
 
-def _log(source: str, facts: Facts, types: Mapping[str, ArmType]) -> LogFile:
+def _log(source: str, where: Place, facts: Facts, types: Mapping[str, ArmType]) -> LogFile:
     """The log that ``facts`` describe.
 
     Raises
     ------
     InputError: something is missing, or cannot be.
     """
-    where = facts.where
-    for what, remedy in _NEEDED.items():
-        if what not in facts.stated:
+    for what, remedy in NEEDED.items():
+        if what not in facts:
             raise InputError(f"the {what} of a log is not known", where=where, remedy=f"say it: {remedy}")
-    kind, unit, date = (facts.stated[name] for name in _NEEDED)
+    kind, unit, date = (facts[name] for name in NEEDED)
     if kind not in types:
         raise InputError(
             f"there is no type called {shown(kind)}",
@@ -140,19 +132,19 @@ def _log(source: str, facts: Facts, types: Mapping[str, ArmType]) -> LogFile:
             expected=f"one of {', '.join(map(shown, list(types)[:8]))}",
             remedy=did_you_mean(kind, types) or "write a table for it, [types.NAME], or exclude its logs",
         )
-    for what, text in (("the unit", unit), *(("a condition", name) for name in facts.conditions)):
+    conditions = {name: facts[name] for name in sorted(facts) if name not in NEEDED}
+    for what, text in (("the unit", unit), *(("a condition", name) for name in conditions)):
         check_name(text, what, where)
-    if len(facts.conditions) > MOST_CONDITIONS:
+    if len(conditions) > MOST_CONDITIONS:
         raise InputError(
-            "a log has too many conditions", where=where, found=str(len(facts.conditions)),
+            "a log has too many conditions", where=where, found=str(len(conditions)),
             expected=f"at most {MOST_CONDITIONS}", remedy="say which: conditions = ['temperature']",
         )  # fmt: skip
     if not _is_text(source):
         raise InputError(
             "the name of a log is not UTF-8", where=where, remedy="rename it, or leave it out with exclude"
         )
-    line = "" if where.line is None else str(where)
-    return LogFile(source, kind, unit, date, dict(sorted(facts.conditions.items())), line)
+    return LogFile(source, kind, unit, date, conditions, "" if where.line is None else str(where))
 
 
 def check_name(text: str, what: str, where: Place | None = None) -> None:
@@ -184,10 +176,6 @@ def _number(name: str, text: str) -> float:
         expected="a number, decimals with a point, or nothing",
         remedy="correct it, or say which columns of a manifest are conditions: conditions = ['temperature']",
     )
-
-
-def _is_there(source: str) -> bool:
-    return all(os.path.exists(part) for part in files_of(source))  # noqa: PTH110 (never raises)
 
 
 def _is_text(name: str) -> bool:

@@ -6,7 +6,6 @@ passed over: it is named.
 
 from __future__ import annotations
 
-import fnmatch
 import os
 import re
 from collections.abc import Iterator, Sequence
@@ -27,20 +26,22 @@ _TOKENS: Final = re.compile(r"(\{[^{}]*\}|\*|\?)")
 _FIELD: Final = re.compile(r"\{([A-Za-z]\w*)(?::([^{}]+))?\}", re.ASCII)
 _NUMBER: Final = r"[-+]?\d+(?:\.\d+)?"
 _ANY: Final = "**"
-#: Any text within a part of a path, as short as it can be.
-_TEXT: Final = "[^/]+?"
+#: Any text within a part of a path, as short as it can be; any folders, but hidden ones.
+_TEXT, _FOLDERS = "[^/]+?", r"(?:(?!\.)[^/]+/)*"
 
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
     """A pattern of paths, in the folder ``anchor`` where it is absolute: its ``parts``; what a path must be
-    (``strict``), and the same with any text for dates and numbers (``shape``); the ``format`` of its date,
-    whose pieces are joined by blanks."""
+    (``strict``), and the same with any text for dates and numbers (``shape``); what the folders are, each
+    with a slash behind it, that lead to such paths (``way``); the ``format`` of its date, whose pieces are
+    joined by blanks."""
 
     anchor: str
     parts: tuple[str, ...]
     strict: re.Pattern[str]
     shape: re.Pattern[str]
+    way: re.Pattern[str]
     format: str
 
     def fields(self, path: str) -> dict[str, str] | None:
@@ -51,10 +52,6 @@ class Pattern:
         fields = match.groupdict()
         pieces = [fields.pop(name) for name in list(fields) if name[0] == "_"]
         return {**fields, DATE: " ".join(pieces)} if pieces else fields
-
-    def glob(self, k: int) -> str:
-        """Part ``k`` with any text for its fields."""
-        return re.sub(r"\{[^{}]*\}", "*", self.parts[k].replace("[", "[[]"))
 
     def covers(self, path: str) -> bool:
         """Whether ``path`` fits, or lies in a folder that does."""
@@ -76,26 +73,30 @@ def pattern_of(text: str, format: str = "") -> Pattern:
         raise InputError("the pattern ends in no file", found=shown(text, 80), expected=".../{date}.csv")
     formats: list[str] = []
     names: set[str] = set()
-    regexes = [_regexes(part, format, formats, names) for part in parts]
+    strict, shape = zip(*(_regexes(part, format, formats, names) for part in parts), strict=True)
     if len(formats) > 1 and "" in formats:
         raise InputError(
             "a date of several pieces needs the format of each",
             found=shown(text, 80),
             expected="{date:%Y-%m-%d}/{date:%H%M}.csv",
         )
-    strict, shape = (
-        re.compile(re.escape(anchor) + "".join(each)[:-1], re.ASCII) for each in zip(*regexes, strict=True)
-    )
-    return Pattern(anchor, tuple(parts), strict, shape, check_format(" ".join(formats)))
+    way = ""
+    for part in reversed(shape[:-1]):
+        way = f"{part}(?:{way})?"
+    begin = re.escape(anchor)
+    wholes = ("".join(strict)[:-1], "".join(shape)[:-1], f"(?:{way})?")
+    exact, free, leading = (re.compile(begin + whole, re.ASCII) for whole in wholes)
+    return Pattern(anchor, tuple(parts), exact, free, leading, check_format(" ".join(formats)))
 
 
 def _regexes(part: str, format: str, formats: list[str], names: set[str]) -> tuple[str, str]:
     """Regular expressions of a ``part`` of a pattern and the slash behind it: with dates and numbers in their
     places, and with any text there. Adds to the ``formats`` of dates and the ``names`` of fields so far."""
     if part == _ANY:
-        return ("(?:[^/]+/)*",) * 2
+        return _FOLDERS, _FOLDERS
     pieces = _TOKENS.split(part)
-    strict, shape, texts = "", "", 0
+    strict = shape = "" if part.startswith(".") else r"(?!\.)"
+    texts = 0
     for k, piece in enumerate(pieces):
         exact = free = {"*": "[^/]*?", "?": "[^/]"}.get(piece, re.escape(piece))
         field = _FIELD.fullmatch(piece)
@@ -130,7 +131,9 @@ def _regexes(part: str, format: str, formats: list[str], names: set[str]) -> tup
     return f"{strict}/", f"{shape}/"
 
 
-def matches(pattern: Pattern, base: Path, exclude: Sequence[Pattern]) -> Iterator[tuple[str, dict[str, str]]]:
+def matches(
+    pattern: Pattern, base: Path, exclude: Sequence[Pattern] = ()
+) -> Iterator[tuple[str, dict[str, str]]]:
     """The paths in ``base`` that have the shape of ``pattern``, with their fields, but for those that fit one
     of ``exclude``; none of them is read.
 
@@ -138,15 +141,16 @@ def matches(pattern: Pattern, base: Path, exclude: Sequence[Pattern]) -> Iterato
     ------
     InputError: there are none, they lie among too many files, or a folder cannot be read.
     """
-    start, parts, skipped = pattern.anchor, pattern.parts, 0
-    while skipped < len(parts) - 1 and not _TOKENS.search(parts[skipped]):
-        if not os.path.isdir(base / start / parts[skipped]):  # noqa: PTH112 (never raises)
+    start, skipped = pattern.anchor, 0
+    for part in pattern.parts[:-1]:  # folders that the pattern names are not looked for
+        if _TOKENS.search(part) or not os.path.isdir(base / start / part):  # noqa: PTH112 (never raises)
             break
-        start, skipped = f"{start}{parts[skipped]}/", skipped + 1
-    count, listed, furthest = 0, 0, (-1, "", list[str]())
+        start, skipped = f"{start}{part}/", skipped + 1
+    listed, count, furthest = 0, 0, (-1, "", list[str]())
     for folder, folders, files in os.walk(base / start, onerror=_refuse_folder, followlinks=True):
         below = Path(folder).relative_to(base / start).parts
-        depth, names = skipped + len(below), sorted([*folders, *files])
+        names = sorted([*folders, *files])
+        furthest = max(furthest, (len(below), folder, names), key=lambda one: one[0])
         listed += len(names)
         if listed > MOST_ENTRIES:
             raise InputError(
@@ -155,22 +159,16 @@ def matches(pattern: Pattern, base: Path, exclude: Sequence[Pattern]) -> Iterato
                 remedy="name the folder of the logs in the pattern",
             )
         inside, further = set(folders), list[str]()
-        is_any = _ANY in parts[: depth + 1]
-        is_deep = is_any and depth - parts.index(_ANY) > DEEPEST
-        for name in names if is_any else fnmatch.filter(names, pattern.glob(depth)):
-            if name.startswith(".") and (is_any or not parts[depth].startswith(".")):
-                continue
+        for name in names:
             path = start + "/".join((*below, name))
             fields = pattern.fields(path)
             is_excluded = any(each.covers(path) for each in exclude)
             count += is_excluded or fields is not None
             if fields is not None and not is_excluded:
                 yield path, fields
-            leads_on = not _leads_up(folder, name) if is_any and name in inside else depth + 1 < len(parts)
-            if leads_on and name in inside and not is_excluded and not is_deep:
+            leads_on = name in inside and len(below) < DEEPEST and pattern.way.fullmatch(f"{path}/")
+            if leads_on and not is_excluded and not _leads_up(folder, name):
                 further.append(name)
-        if depth > furthest[0] and (is_any or not further):
-            furthest = depth, folder, names
         folders[:] = further
     if not count:
         depth, folder, names = furthest
@@ -178,7 +176,7 @@ def matches(pattern: Pattern, base: Path, exclude: Sequence[Pattern]) -> Iterato
         raise InputError(
             "no log fits the pattern",
             found=f"in {label(folder)}: {some or 'nothing'}",
-            expected=shown(parts[-1] if _ANY in parts[: depth + 1] else parts[depth], 80),
+            expected=shown(pattern.parts[-1 if _ANY in pattern.parts else skipped + depth], 80),
             remedy="write the pattern as the paths are; * stands for any text, ** for folders in folders",
         )
 
