@@ -6,21 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from robodyn.cluster.work import outcome
-
-
-@dataclass(frozen=True, slots=True)
-class Done:
-    """A piece of work has come to ``value``."""
-
-    value: Any
-
-
-@dataclass(frozen=True, slots=True)
-class Failed:
-    """A piece of work has come to nothing: ``error`` is what its function raised, or why it was given up."""
-
-    error: Exception
+from robodyn.cluster.work import Done, Failed, outcome
 
 
 class Cluster(Protocol):
@@ -57,8 +43,7 @@ class ThisProcess:
     ) -> Iterator[tuple[Any, Done | Failed]]:
         """As of :class:`Cluster`, in the order of the tasks."""
         for key, arguments in tasks:
-            done, value = outcome(function, arguments)
-            yield key, Done(value) if done else Failed(value)
+            yield key, outcome(function, arguments)
 
 
 @dataclass(frozen=True, slots=True)

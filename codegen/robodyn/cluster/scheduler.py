@@ -6,22 +6,25 @@ from __future__ import annotations
 import logging
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from queue import Empty, SimpleQueue
 from time import monotonic, sleep
-from typing import Any
+from typing import Any, Final
 
-from robodyn.cluster.cluster import Done, Failed
 from robodyn.cluster.limits import AHEAD, ATTEMPTS, CONNECT, COUNT, DEATHS, POLL, RECONNECT
-from robodyn.cluster.work import WrongWorker, work
+from robodyn.cluster.work import Done, Failed, WrongWorker, likeness, work
 from robodyn.errors import ToolError
-from robodyn.toolchain.sources import own_key
 
 _log = logging.getLogger("robodyn.cluster")
-_LOST = ToolError(
+_LOST: Final = ToolError(
     "no result came back",
     found=f"{ATTEMPTS} times, schedulers or workers went before it was fetched",
     remedy="look at the messages of the workers, and run it again",
+)
+_DEADLY: Final = ToolError(
+    "the process that works on it ends, time and again",
+    found=f"{2 * (DEATHS + 1)} processes lost",
+    remedy="give workers more memory, or look at their messages for what ends them",
 )
 
 
@@ -36,28 +39,6 @@ class _Piece:
     alone: bool = False
 
 
-@dataclass(slots=True)
-class _Pieces:
-    """The pieces of one call: those that ``wait``, those for when nothing else is under way (``suspects``:
-    one of them may have ended the processes that were lost), those ``under_way`` by the key of their future,
-    and the futures that have ``ended``."""
-
-    wait: Iterator[_Piece]
-    again: deque[_Piece] = field(default_factory=deque)
-    suspects: deque[_Piece] = field(default_factory=deque)
-    under_way: dict[str, tuple[Any, _Piece]] = field(default_factory=dict)
-    ended: SimpleQueue[Any] = field(default_factory=SimpleQueue)
-
-    def next(self) -> _Piece | None:
-        """The piece to submit next, if it is time for one."""
-        if self.again:
-            return self.again.popleft()
-        piece = next(self.wait, None)
-        if piece is None and self.suspects and not self.under_way:
-            return replace(self.suspects.popleft(), alone=True, attempts=0)
-        return piece
-
-
 class Scheduler:
     """A :class:`~robodyn.cluster.cluster.Cluster`: what ``connect`` reaches, a scheduler with workers.
 
@@ -68,8 +49,7 @@ class Scheduler:
     def __init__(self, connect: Callable[[], Any], name: str) -> None:
         self._connect, self._name = connect, name
         self._client = connect()
-        self._counted = monotonic()
-        self._deserted: float | None = None
+        self._counted = self._peopled = monotonic()
         self.count = len(self._client.nthreads())
 
     def close(self) -> None:
@@ -80,44 +60,55 @@ class Scheduler:
         self, function: Callable[..., Any], tasks: Iterable[tuple[Any, tuple[Any, ...]]]
     ) -> Iterator[tuple[Any, Done | Failed]]:
         """As of :class:`~robodyn.cluster.cluster.Cluster`."""
-        pieces = _Pieces(_Piece(key, arguments) for key, arguments in tasks)
+        waiting = (_Piece(key, arguments) for key, arguments in tasks)
+        again, suspects = deque[_Piece](), deque[_Piece]()  # these for when nothing else is under way
+        under_way: dict[str, tuple[Any, _Piece]] = {}
+        ended = SimpleQueue[Any]()
         try:
             while True:
-                while len(pieces.under_way) < AHEAD * max(self.count, 1) and (piece := pieces.next()):
+                while len(under_way) < AHEAD * max(self.count, 1):
+                    piece = again.popleft() if again else next(waiting, None)
+                    if piece is None and suspects and not under_way:
+                        piece = replace(suspects.popleft(), alone=True, attempts=0)
+                    if piece is None:
+                        break
                     if piece.attempts == ATTEMPTS:
                         yield piece.key, Failed(_LOST)
-                    else:
-                        self._submit(function, piece, pieces)
-                if not pieces.under_way:
+                        continue
+                    future = self._submit(function, piece)
+                    under_way[future.key] = future, replace(piece, attempts=piece.attempts + 1)
+                    future.add_done_callback(ended.put)
+                if not under_way:
                     return
                 try:
-                    future = pieces.ended.get(timeout=POLL)
+                    future = ended.get(timeout=POLL)
                 except Empty:
-                    self._look(pieces)
-                    continue
-                _, piece = pieces.under_way.pop(future.key, (None, None))
-                if piece is not None:
-                    result = self._result(future, piece, pieces)
+                    future = None
+                if future is not None and future.key in under_way:
+                    _, piece = under_way.pop(future.key)
+                    result = self._result(future, piece, again, suspects)
                     if result is not None:
                         yield piece.key, result
-                if monotonic() - self._counted > COUNT:
-                    self._look(pieces)
+                self._look()
+                # What was under way when a scheduler went comes back as cancelled, or never.
+                lost = [key for key, (one, _) in under_way.items() if one.status in ("lost", "cancelled")]
+                again.extend(under_way.pop(key)[1] for key in lost)
         finally:
-            futures = [future for future, _ in pieces.under_way.values()]
+            futures = [future for future, _ in under_way.values()]
             if futures and self._client.status == "running":
                 self._client.cancel(futures, force=True)
 
-    def _submit(self, function: Callable[..., Any], piece: _Piece, pieces: _Pieces) -> None:
+    def _submit(self, function: Callable[..., Any], piece: _Piece) -> Any:
         """Have the scheduler hand ``piece`` to a worker."""
         try:
-            future = self._client.submit(work, own_key(), function, piece.arguments, pure=False)
+            return self._client.submit(work, likeness(), function, piece.arguments, pure=False)
         except (OSError, RuntimeError):  # the connection is just being lost
-            self._reach()
-            future = self._client.submit(work, own_key(), function, piece.arguments, pure=False)
-        pieces.under_way[future.key] = future, replace(piece, attempts=piece.attempts + 1)
-        future.add_done_callback(pieces.ended.put)
+            self._look()
+            return self._client.submit(work, likeness(), function, piece.arguments, pure=False)
 
-    def _result(self, future: Any, piece: _Piece, pieces: _Pieces) -> Done | Failed | None:
+    def _result(
+        self, future: Any, piece: _Piece, again: deque[_Piece], suspects: deque[_Piece]
+    ) -> Done | Failed | None:
         """What a ``piece`` has come to; None: to nothing, and it will be tried again.
 
         Raises
@@ -128,68 +119,38 @@ class Scheduler:
         from distributed.scheduler import KilledWorker
 
         try:
-            done, value = future.result(timeout=RECONNECT)
-        except KilledWorker as error:
-            if not piece.alone:
-                pieces.suspects.append(piece)
-                return None
-            return Failed(_deadly(error.args[1]))
+            result: Done | Failed = future.result(timeout=RECONNECT)
+        except KilledWorker:
+            if piece.alone:
+                return Failed(_DEADLY)
+            suspects.append(piece)
+            return None
         except (CancelledError, TimeoutError, OSError):
-            pieces.again.append(piece)
-            self._reach()
+            again.append(piece)
             return None
         except ImportError as error:
-            raise not_there(error) from None
-        return Done(value) if done else Failed(value)
+            raise WrongWorker(
+                "a worker cannot import what it needs",
+                found=str(error),
+                remedy="install the same robodyn, with the extra fleet, wherever one runs",
+            ) from None
+        return result
 
-    def _look(self, pieces: _Pieces) -> None:
-        """See whether the scheduler and its workers are there.
-
-        What was under way when the scheduler went comes back as cancelled, or never: then it is submitted
-        again here.
-
-        Raises
-        ------
-        ToolError: not within :data:`~robodyn.cluster.limits.RECONNECT`.
-        """
-        if self._client.status != "running":
-            self._reach()
-        lost = [
-            key for key, (future, _) in pieces.under_way.items() if future.status in ("lost", "cancelled")
-        ]
-        pieces.again.extend(pieces.under_way.pop(key)[1] for key in lost)
-        now = monotonic()
-        if now - self._counted < COUNT:
-            return
-        try:
-            self.count = len(self._client.nthreads())
-        except OSError:  # it is just going: seen to at the next look
-            return
-        self._counted = now
-        if self.count:
-            self._deserted = None
-        elif self._deserted is None:
-            self._deserted = now
-            _log.warning("%s has no worker: waiting for one, at most %.0f s", self._name, RECONNECT)
-        elif now - self._deserted > RECONNECT:
-            raise no_worker(self._name, RECONNECT)
-
-    def _reach(self) -> None:
-        """Wait until the scheduler answers again: the client tries for a while, then others do.
+    def _look(self) -> None:
+        """Wait until the scheduler answers (the client tries for a while, then others do), and see how many
+        workers it has.
 
         Raises
         ------
-        ToolError: not within :data:`~robodyn.cluster.limits.RECONNECT`.
+        ToolError: there is none of them within :data:`~robodyn.cluster.limits.RECONNECT`.
         """
-        end = monotonic() + RECONNECT
+        end, waiting = monotonic() + RECONNECT, "%s %s: waiting for it, at most %.0f s"
         if self._client.status != "running":
-            _log.warning("%s does not answer: waiting for it, at most %.0f s", self._name, RECONNECT)
+            _log.warning(waiting, self._name, "does not answer", RECONNECT)
         while self._client.status != "running":
             if self._client.status in ("closed", "closing"):
                 try:
                     self._client = self._connect()
-                except WrongWorker:
-                    raise
                 except ToolError:
                     if monotonic() > end:
                         raise
@@ -197,15 +158,20 @@ class Scheduler:
                 raise no_answer(self._name, RECONNECT)
             else:
                 sleep(POLL)
-
-
-def _deadly(worker: Any) -> ToolError:
-    """What to say of a piece with which processes end."""
-    return ToolError(
-        "the process that works on it ends, time and again",
-        found=f"{2 * (DEATHS + 1)} processes lost, the last at {getattr(worker, 'address', worker)}",
-        remedy="give workers more memory, or look at their messages for what ends them",
-    )
+        now = monotonic()
+        if now - self._counted < COUNT:
+            return
+        try:
+            before, self.count = self.count, len(self._client.nthreads())
+        except OSError:  # it is just going: seen to at the next look
+            return
+        self._counted = now
+        if self.count:
+            self._peopled = now
+        elif before:
+            _log.warning(waiting, self._name, "has no worker", RECONNECT)
+        elif now - self._peopled > RECONNECT:
+            raise no_worker(self._name, RECONNECT)
 
 
 def no_answer(name: str, seconds: float) -> ToolError:
@@ -223,13 +189,4 @@ def no_worker(name: str, seconds: float) -> ToolError:
         f"{name} has no worker",
         expected=f"one within {seconds:g} s",
         remedy="start some: dask worker HOST:PORT --nworkers 4 --nthreads 1",
-    )
-
-
-def not_there(error: ImportError) -> WrongWorker:
-    """The error where a worker, or the scheduler, lacks a package."""
-    return WrongWorker(
-        "the scheduler or a worker cannot import what it needs",
-        found=str(error),
-        remedy="install the same robodyn, with the extra fleet, wherever one runs",
     )
