@@ -55,32 +55,6 @@ def test_the_schema_refuses_what_is_not_there(small: FleetResult) -> None:
         assert not validator.is_valid(wrong), path
 
 
-def test_the_text_has_a_line_for_each_unit(small: FleetResult) -> None:
-    lines = text(document(small)).splitlines()
-    for unit in small.units:
-        (line,) = [line for line in lines if f'"unit": "{unit.unit}", "logs"' in line]
-        assert json.loads(line.rstrip(","))["type"] == unit.type
-    assert text(document(small)) == text(document(fleet(12, 4)))
-
-
-def test_what_is_no_number_is_null(small: FleetResult) -> None:
-    unit = replace(
-        small.units[0],
-        unusual={"joint1.friction": float("nan")},
-        now={"joint1.friction": (1.0, float("inf"))},
-    )
-    read = document(replace(small, units=(unit,)))["units"][0]
-    assert read["unusual"] == {"joint1.friction": None}
-    assert read["now"] == {"joint1.friction": [1.0, None]}
-
-
-def test_readings_are_columns_of_one_length(small: FleetResult) -> None:
-    unit, read = small.units[0], document(small)["units"][0]
-    for name, readings in unit.readings.items():
-        assert read["readings"][name]["value"] == [r.value for r in readings]
-        assert [len(column) for column in read["readings"][name].values()] == [unit.logs] * 4
-
-
 def test_the_table_has_a_row_for_each_unit_and_feature(small: FleetResult) -> None:
     files = require_module("pyarrow.parquet")
     table = files.read_table(io.BytesIO(parquet(small))).to_pylist()
@@ -105,13 +79,6 @@ def test_the_table_has_a_row_for_each_unit_and_feature(small: FleetResult) -> No
     empty = ("shape", "since", "since_from", "since_to", "size", "claimed_effects", "q")
     assert [quiet[name] for name in empty] == [None] * len(empty)
     assert parquet(small) == parquet(fleet(12, 4))
-
-
-def test_of_two_claims_of_a_feature_the_surer_one_stands_in_the_table(small: FleetResult) -> None:
-    unit = next(unit for unit in small.units if unit.claims)
-    twice = replace(unit, claims=(replace(unit.claims[0], q=0.01), replace(unit.claims[0], q=0.04)))
-    claims = [row.claim for row in rows_of(replace(small, units=(twice,))) if row.claim is not None]
-    assert [claim.q for claim in claims] == [0.01]
 
 
 def test_a_number_that_is_none_is_null_in_the_table(small: FleetResult) -> None:

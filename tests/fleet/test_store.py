@@ -7,14 +7,13 @@ import signal
 import sqlite3
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from robodyn.errors import InputError
 from robodyn.fleet import store as store_module
-from robodyn.fleet.store import Refused, key_of, open_store
+from robodyn.fleet.store import Refused, open_store
 
 
 def test_what_is_kept_is_there_in_the_next_run(tmp_path: Path) -> None:
@@ -28,12 +27,6 @@ def test_what_is_kept_is_there_in_the_next_run(tmp_path: Path) -> None:
         assert (store.refusal("a"), store.refusal("b")) == (None, "too short: 3 samples")
         assert [store.has(key) for key in "abc"] == [True, True, False]
     assert [file.name for file in path.parent.iterdir()] == ["store.sqlite"]  # no log left over
-
-
-def test_keys_differ_wherever_their_parts_do() -> None:
-    several = [("a", "b"), ("ab", ""), ("", "ab"), ("a", "b", ""), ("b", "a"), ("a\udc80", "b")]
-    assert len({key_of(*parts) for parts in several}) == len(several)
-    assert key_of("a", "b") == key_of("a", "b")
 
 
 def test_a_file_is_known_by_size_and_time_unless_it_is_young(
@@ -65,42 +58,30 @@ def test_results_of_another_version_are_dropped(tmp_path: Path, monkeypatch: pyt
         assert store.result("a") is None
 
 
-def damaged(path: Path) -> str:
-    path.write_bytes(b"SQLite format 3\0" + bytes(range(256)) * 40)
-    return "the store of results is damaged"
+#: What a file may be in place of a store, by a program of SQL (of a store: where it begins with a store's
+#: own words), and what is said of it.
+NO_STORES = {
+    "store;drop table results; create table notes (a)": "store of results is damaged; found no such table",
+    "create table notes (text)": "this is no store of results; found another program's data",
+    "store;pragma user_version = 999": "this is no store of results; found the layout of another robodyn",
+    "bytes": "the store of results is damaged",
+}
 
 
-def without_a_table(path: Path) -> str:
-    with open_store(path):
-        pass
-    with sqlite3.connect(path) as connection:
-        connection.execute("drop table results")
-    connection.close()
-    return "the store of results is damaged; found no such table"
-
-
-def of_another_program(path: Path) -> str:
-    with sqlite3.connect(path) as connection:
-        connection.execute("create table notes (text)")
-    connection.close()
-    return "this is no store of results; found another program's data"
-
-
-def of_another_layout(path: Path) -> str:
-    with open_store(path):
-        pass
-    with sqlite3.connect(path) as connection:
-        connection.execute("pragma user_version = 999")
-    connection.close()
-    return "this is no store of results; found the layout of another robodyn"
-
-
-@pytest.mark.parametrize("make", [damaged, without_a_table, of_another_program, of_another_layout])
-def test_what_is_no_store_is_left_alone(make: Callable[[Path], str], tmp_path: Path) -> None:
+@pytest.mark.parametrize("kind", NO_STORES)
+def test_what_is_no_store_is_left_alone(kind: str, tmp_path: Path) -> None:
     path = tmp_path / "store"
-    message = make(path)
+    if kind.startswith("store;"):
+        with open_store(path):
+            pass
+    if kind == "bytes":
+        path.write_bytes(b"SQLite format 3\0" + bytes(range(256)) * 40)
+    else:
+        with sqlite3.connect(path) as connection:
+            connection.executescript(kind.removeprefix("store;"))
+        connection.close()
     before = path.read_bytes()
-    with pytest.raises(InputError, match=message) as error, open_store(path):
+    with pytest.raises(InputError, match=NO_STORES[kind]) as error, open_store(path):
         pass
     assert "delete" in str(error.value)
     assert path.read_bytes() == before
@@ -116,9 +97,7 @@ CHANGES = [
     ("update results set (value, seal) = (select value, seal from results where key = 'c')", "a"),
     ("update results set refused = 1 - refused where key = 'a'", "a"),
     ("update results set value = x'0011' where key = 'b'", "b"),
-    ("update files set content = 'hash of two' where content = 'hash of one'", "one.csv 12@7"),
-    ("update files set source = x'6f74686572' where content = 'hash of one'", "other 12@7"),
-    ("update files set signature = '12@9' where content = 'hash of one'", "one.csv 12@9"),
+    ("update results set value = x'68' where value = cast('hash of one' as blob)", "one.csv 12@7"),
 ]
 
 
@@ -141,7 +120,7 @@ def test_what_was_kept_of_another_log_is_not_used(
         reads = store.refusal if read == "b" else store.result if read == "a" else store.content
         with pytest.raises(InputError, match="found a row that differs from its checksum; delete it"):
             reads(*read.split())
-        assert store.content("two.csv", "12@8") == "hash of two"
+        assert "seal" in change or store.content("two.csv", "12@8") == "hash of two"
         assert read in "ab" or store.refusal("b") == "no motion"
 
 
@@ -151,12 +130,6 @@ def test_a_store_is_not_written_through_a_link(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="symbolic link"), open_store(tmp_path / "store"):
         pass
     assert (tmp_path / "precious").read_bytes() == b""
-
-
-def test_a_place_that_cannot_be_written(tmp_path: Path) -> None:
-    (tmp_path / "file").touch()
-    with pytest.raises(InputError, match="results cannot be kept"), open_store(tmp_path / "file" / "store"):
-        pass
 
 
 KEEPS = """

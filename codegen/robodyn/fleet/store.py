@@ -7,7 +7,6 @@ holds it, no shared memory is needed, which network file systems do not have.
 
 from __future__ import annotations
 
-import os
 import sqlite3
 import time
 from collections.abc import Iterator
@@ -27,9 +26,8 @@ _LAYOUT: Final = 2
 _MARK: Final = 0x726F626F
 #: [ns] A file that is younger than this when it is looked at may be written again without a new time.
 _YOUNG: Final = 2_000_000_000
-_TABLES: Final = (
-    "create table results (key text primary key, robodyn text, refused integer, value blob, seal text)",
-    "create table files (source blob primary key, signature text, content text, seal text)",
+_TABLE: Final = (
+    "create table results (key text primary key, robodyn text, refused integer, value blob, seal text)"
 )
 
 
@@ -57,13 +55,17 @@ class Store:
 
         Raises
         ------
-        InputError: it is not what was kept under this key.
+        InputError: it is not what was kept under this key. SQLite notices where its pages are damaged, and
+            neither what is in them nor that the value of one key stands at another.
         """
         row = self._row("select robodyn, refused, value, seal from results where key = ?", key)
         if row is None:
             return None
         *stated, seal = row
-        self._check(seal, key, *stated)
+        if seal != _seal(key, *stated):
+            what, remedy = _DAMAGED
+            found = "a row that differs from its checksum"
+            raise InputError(what, where=Place(self._name), found=found, remedy=remedy)
         _, refused, value = stated
         return Refused(value.decode()) if refused else bytes(value)
 
@@ -87,23 +89,9 @@ class Store:
         ------
         InputError: as of :meth:`result`.
         """
-        if self._row("select 1 from results where key = ? and refused", key) is None:
-            return None
-        value = self.result(key)
+        is_refused = self._row("select 1 from results where key = ? and refused", key) is not None
+        value = self.result(key) if is_refused else None
         return value.why if isinstance(value, Refused) else None
-
-    def _check(self, seal: Any, *row: Any) -> None:
-        """Hold a ``row`` to its ``seal``: SQLite notices where its pages are damaged, and neither what is in
-        them nor that the value of one key stands at another.
-
-        Raises
-        ------
-        InputError: it is another row.
-        """
-        if seal != _seal(*row):
-            what, remedy = _DAMAGED
-            found = "a row that differs from its checksum"
-            raise InputError(what, where=Place(self._name), found=found, remedy=remedy)
 
     def has(self, key: str) -> bool:
         """Whether there is a result, of whichever kind."""
@@ -128,12 +116,8 @@ class Store:
         ------
         InputError: it is not what was kept of this log.
         """
-        name = os.fsencode(source)
-        row = self._row("select content, seal from files where source = ? and signature = ?", name, signature)
-        if row is None:
-            return None
-        self._check(row[1], name, signature, row[0])
-        return str(row[0])
+        content = self.result(key_of("content", source, signature))
+        return content.decode() if isinstance(content, bytes) else None
 
     def saw(self, source: str, signature: str, youngest: int, content: str) -> None:
         """Remember the hash of a log whose files had that ``signature``, the ``youngest`` written then [ns].
@@ -143,8 +127,7 @@ class Store:
         OutputError: there is no room for it.
         """
         if time.time_ns() - youngest >= _YOUNG:
-            row = (os.fsencode(source), signature, content)
-            self._row("insert or replace into files values (?, ?, ?, ?)", *row, _seal(*row))
+            self.keep(key_of("content", source, signature), content.encode())
 
     def _row(self, statement: str, *values: Any) -> Any:
         """The first row that a ``statement`` comes to; None without one."""
@@ -179,8 +162,7 @@ def open_store(path: Path) -> Iterator[Store]:
             connection.execute("pragma synchronous = normal")
             connection.execute("begin immediate")
             if is_new:
-                for statement in _TABLES:
-                    connection.execute(statement)
+                connection.execute(_TABLE)
                 connection.execute(f"pragma application_id = {_MARK}")
                 connection.execute(f"pragma user_version = {_LAYOUT}")
             connection.execute("delete from results where robodyn != ?", [VERSION])

@@ -4,67 +4,23 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from typing import Any, Final, Literal
+from collections.abc import Iterator
+from typing import Any, Final
 
-from robodyn.fleet.result import Claim, Feature, FleetResult, UnitResult
+from robodyn.fleet.result import FleetResult
 from robodyn.tools.libraries import PYARROW
 
-#: Kinds of columns: Arrow's types by their names.
-Kind = Literal["string", "strings", "int32", "double", "bool", "time"]
-
-
-@dataclass(frozen=True, slots=True)
-class Cells:
-    """What a row is about: a unit, a feature of its type, and what is claimed of it."""
-
-    unit: UnitResult
-    feature: Feature
-    claim: Claim | None
-
-    def claimed(self, field: str) -> Any:
-        """A field of the claim; None where nothing is claimed."""
-        return None if self.claim is None else getattr(self.claim, field)
-
-    def day(self, end: int) -> float | None:
-        """An end of the interval of days of a change."""
-        interval = self.claimed("since_interval")
-        return None if interval is None else float(interval[end])
-
-    def now(self, part: int) -> float | None:
-        """The value (0) or its standard error (1), after pooling."""
-        return self.unit.now[self.feature.name][part] if self.feature.name in self.unit.now else None
-
-
-COLUMNS: Final[dict[str, tuple[Kind, Callable[[Cells], Any]]]] = {
-    "type": ("string", lambda row: row.unit.type),
-    "unit": ("string", lambda row: row.unit.unit),
-    "feature": ("string", lambda row: row.feature.name),
-    "effects": ("strings", lambda row: list(row.feature.effects)),
-    "joint": ("int32", lambda row: row.feature.joint),
-    "measure": ("string", lambda row: row.feature.unit),
-    "logs": ("int32", lambda row: len(row.unit.readings.get(row.feature.name, ()))),
-    "value": ("double", lambda row: row.now(0)),
-    "stderr": ("double", lambda row: row.now(1)),
-    "unusual": ("double", lambda row: row.unit.unusual.get(row.feature.name)),
-    "mean": ("double", lambda row: row.feature.mean),
-    "between_units": ("double", lambda row: row.feature.between_units),
-    "claimed": ("bool", lambda row: row.claim is not None),
-    "claimed_effects": ("strings", lambda row: row.claim and list(row.claim.effects)),
-    "shape": ("string", lambda row: row.claimed("shape")),
-    "since": ("time", lambda row: row.claimed("since")),
-    "since_from": ("time", lambda row: row.day(0)),
-    "since_to": ("time", lambda row: row.day(1)),
-    "until": ("time", lambda row: row.claimed("until")),
-    "size": ("double", lambda row: row.claimed("size")),
-    "size_stderr": ("double", lambda row: row.claimed("stderr")),
-    "share": ("double", lambda row: row.claimed("share")),
-    "p": ("double", lambda row: row.claimed("p")),
-    "q": ("double", lambda row: row.claimed("q")),
-}
-"""Columns by name: their kind, and what a row has there. ``measure`` is the unit of measurement, ``joint`` is
-null for the whole arm; what is claimed is null where nothing is."""
+#: Fields of a claim that are columns of their own.
+_CLAIMED: Final = ("shape", "since", "until", "size", "share", "p", "q")
+#: Columns by name, with the names of their types in Arrow. ``measure`` is the unit of measurement, ``joint``
+#: is null for the whole arm; what is claimed is null where nothing is.
+COLUMNS: Final = {
+    "type": "string", "unit": "string", "feature": "string", "effects": "strings", "joint": "int32",
+    "measure": "string", "logs": "int32", "value": "double", "stderr": "double", "unusual": "double",
+    "mean": "double", "between_units": "double", "claimed": "bool", "claimed_effects": "strings",
+    "shape": "string", "since": "time", "since_from": "time", "since_to": "time", "until": "time",
+    "size": "double", "size_stderr": "double", "share": "double", "p": "double", "q": "double",
+}  # fmt: skip
 
 
 def parquet(result: FleetResult) -> bytes:
@@ -75,30 +31,42 @@ def parquet(result: FleetResult) -> bytes:
     ToolError: pyarrow is not installed.
     """
     arrow, files = PYARROW.load(), PYARROW.load("parquet")
-    types = {
+    kinds = {
         "string": arrow.string(), "strings": arrow.list_(arrow.string()), "int32": arrow.int32(),
         "double": arrow.float64(), "bool": arrow.bool_(), "time": arrow.timestamp("s", tz="UTC"),
     }  # fmt: skip
     rows = list(rows_of(result))
     columns = {
-        name: arrow.array([_value(kind, read(row)) for row in rows], types[kind])
-        for name, (kind, read) in COLUMNS.items()
+        name: arrow.array([_cell(kind, row[name]) for row in rows], kinds[kind])
+        for name, kind in COLUMNS.items()
     }
     stream = io.BytesIO()
     files.write_table(arrow.table(columns), stream)
     return stream.getvalue()
 
 
-def rows_of(result: FleetResult) -> Iterator[Cells]:
-    """A row for each unit and each feature of its type, in the order of the result."""
+def rows_of(result: FleetResult) -> Iterator[dict[str, Any]]:
+    """A row, by the names of :data:`COLUMNS`, for each unit and each feature of its type, in the order of the
+    result."""
     features = {kind.name: kind.features for kind in result.types}
     for unit in result.units:
         claims = {claim.feature: claim for claim in reversed(unit.claims)}  # the surest of each
-        for feature in features[unit.type]:
-            yield Cells(unit, feature, claims.get(feature.name))
+        for one in features[unit.type]:
+            claim = claims.get(one.name)
+            value, error = unit.now.get(one.name, (None, None))
+            since_from, since_to = (claim.since_interval if claim else None) or (None, None)
+            yield {
+                "type": unit.type, "unit": unit.unit, "feature": one.name, "effects": list(one.effects),
+                "joint": one.joint, "measure": one.unit, "logs": len(unit.readings.get(one.name, ())),
+                "value": value, "stderr": error, "unusual": unit.unusual.get(one.name), "mean": one.mean,
+                "between_units": one.between_units, "claimed": claim is not None,
+                "claimed_effects": claim and list(claim.effects), "since_from": since_from,
+                "since_to": since_to, "size_stderr": claim and claim.stderr,
+                **{name: getattr(claim, name, None) for name in _CLAIMED},
+            }  # fmt: skip
 
 
-def _value(kind: Kind, value: Any) -> Any:
+def _cell(kind: str, value: Any) -> Any:
     """``value`` as a cell has it: what is no number is null, a point in time is whole seconds."""
     if isinstance(value, float) and not math.isfinite(value):
         return None
