@@ -91,13 +91,12 @@ def overhead(count: int) -> bool:
 def digested(on: str, arm: ArmType, logs: list[tuple[str, str]]) -> tuple[float, float, list[bytes]]:
     """Wall-clock and CPU time [s] of the digests of ``logs`` (paths and hashes), without the start of
     processes; and the digests."""
-    before = cpu()
+    before, tasks = cpu(), [((path,), (content,)) for path, content in logs]
     with open_cluster(on) as cluster:
-        warm = [result for _, result in cluster.each(digest_log, ((k, (arm, *logs[0])) for k in range(6)))]
+        warm = [result for _, result in cluster.each(digest_log, ((k, (arm, *tasks[0])) for k in range(6)))]
         assert all(isinstance(result, Done) for result in warm), warm
         start = time.perf_counter()
-        tasks = ((k, (arm, *log)) for k, log in enumerate(logs))
-        results = dict(cluster.each(digest_log, tasks))
+        results = dict(cluster.each(digest_log, ((k, (arm, *task)) for k, task in enumerate(tasks))))
         wall = time.perf_counter() - start
     return wall, cpu() - before, [results[k].value for k in range(len(logs))]
 

@@ -94,14 +94,6 @@ def test_samples_at_rest_say_nothing() -> None:
     assert digest_of(ARM, [Log(moving.t, still, None, None, moving.tau)]).rows[5] == 0
 
 
-def test_a_path_is_known_whatever_its_speed_and_length() -> None:
-    once = log(7, seconds=20.0)
-    path = digest_of(ARM, [once]).path
-    slow = Log(2 * once.t, once.q, None, None, once.tau)
-    assert abs(len(digest_of(ARM, [slow]).path) - len(path)) < 0.1 * len(path)
-    assert len(path) <= 600
-
-
 def test_what_comes_where_the_load_changes_sign_is_told_from_the_rest() -> None:
     quiet = log(6, seconds=20.0)
     load = Model(load_robot("puma560")).torque(quiet.q, *_rates(quiet))[:, 4]

@@ -13,7 +13,8 @@ from typing import Any
 import pytest
 
 from fleet.small_fleet import files_of, quick_diagnosis, small_fleet, write_log
-from robodyn.cluster.cluster import Done, Failed, ThisProcess
+from robodyn.cluster import Done, Failed
+from robodyn.cluster.cluster import ThisProcess
 from robodyn.errors import ToolError
 from robodyn.fleet import run as run_module
 from robodyn.fleet.result import FleetResult
@@ -85,7 +86,7 @@ def test_relative_paths_are_those_of_who_asks(
     assert fleet.logs[0].source == "logs/0-0.csv"  # no path of this machine is in a result
 
 
-@pytest.mark.parametrize("names", [("contents", "digest_log"), ("digest_log",), ("diagnose_unit",)])
+@pytest.mark.parametrize("names", [("digest_log",), ("diagnose_unit",)])
 @pytest.mark.parametrize("to", ["others", "nowhere"])
 def test_a_worker_that_sees_another_file_or_none(
     names: tuple[str, ...], to: str, fleet: Fleet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -95,17 +96,6 @@ def test_a_worker_that_sees_another_file_or_none(
     assert "shared" in str(caught.value.remedy) or "share" in str(caught.value.remedy)
     assert caught.value.exit_code == 3
     assert run(fleet, ThisProcess(), monkeypatch) == run(fleet, ThisProcess(), monkeypatch, "expected")
-
-
-def test_a_log_that_is_only_there_is_taken_from_there(
-    fleet: Fleet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A data store that the machine of who asks does not see."""
-    expected = run(fleet, ThisProcess(), monkeypatch, "expected")
-    shutil.copytree("logs", tmp_path / "store")
-    shutil.rmtree("logs")
-    worker = Elsewhere(tmp_path, "../store", ("contents", "digest_log", "diagnose_unit"))
-    assert run(fleet, worker, monkeypatch) == expected
 
 
 def test_what_nobody_can_read_is_named(fleet: Fleet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,9 +12,6 @@ from typing import Final
 PIECE: Final = 200_000
 """[samples] A longer log is read in pieces of so many: what a process needs does not grow with it."""
 
-HASHED: Final = 32
-"""[logs] So many are read at a time to see whether they are new: one takes a millisecond or two."""
-
 LOGS_AFTER: Final = 2
 """[logs] The diagnosis of a unit is of its last so many since a change, and of one from before it."""
 
@@ -112,8 +109,11 @@ PERMUTATIONS: Final = 200
 """[-] of the dates of a unit's logs, by which chance is measured."""
 
 CALM: Final = 0.2
-"""[share] Units and features that are among so many of the oddest of their own permutations do not say what
-chance does to others: a real change would."""
+"""[share] Units that are among so many of the oddest of their own permutations do not say what chance does to
+others: a real change would."""
+
+FREEDOM: Final = 10.0
+"""[degrees of freedom] What logs of the fleet usually scatter by counts as much beside a unit's own."""
 
 TRIMMED: Final = 2.5
 """[standard deviations] A reading that is farther off says nothing of what conditions do."""
@@ -123,6 +123,12 @@ SURE_SLOPE: Final = 4.0
 
 FALSE_NAMES: Final = 0.05
 """[share] of all units with a name that are false, in the mean (Benjamini and Hochberg 1995)."""
+
+CHANGES: Final = 0.8
+"""[share] of the false names is for changes, the others are for what was always so."""
+
+SIBLINGS: Final = 8
+"""[units] A unit may always have been another than its siblings in a type of so many."""
 
 ALWAYS: Final = 2.0
 """[-] Friction of siblings differs: only a unit with more than twice of it, or less than half, has a name."""

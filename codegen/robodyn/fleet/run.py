@@ -3,33 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
-from robodyn.cluster import Cluster, Done, Failed, Security, open_cluster
-from robodyn.cluster.work import one_thread
+from robodyn.cluster import Cluster, Done, Security, open_cluster
+from robodyn.cluster.work import WrongWorker, one_thread
 from robodyn.errors import InputError
-from robodyn.fleet.digest import DIGEST_VERSION, Digest
-from robodyn.fleet.limits import FALSE_NAMES, HASHED
+from robodyn.fleet.digest import DIGEST_VERSION
+from robodyn.fleet.limits import FALSE_NAMES
 from robodyn.fleet.pool.judge import judge
 from robodyn.fleet.result import FleetResult, Unused
 from robodyn.fleet.sources.fleet import Fleet
 from robodyn.fleet.store import Refused, Store, key_of, open_store
 from robodyn.fleet.units import Maker, completed, diagnosed
-from robodyn.fleet.work import (
-    Changed,
-    absolute_source,
-    check_changed,
-    check_same_file,
-    contents,
-    digest_log,
-    digested,
-    why,
-)
-from robodyn.logs.content import signature
+from robodyn.fleet.work import Changed, digest_log, digested, hash_here, unreadable, why
+from robodyn.logs.content import digest, files_of, signature
 
 #: What is told of a stage: its name, how much of it is done, and of how much.
 Progress = Callable[[str, int, int], object]
@@ -39,26 +30,6 @@ READING: Final = "looking for new logs"
 DIGESTING: Final = "digesting logs"
 DIAGNOSING: Final = "diagnosing units"
 _DATELESS: Final = "nothing says when it was recorded: state it in the manifest, or in the name of its file"
-
-
-class Digests(Mapping[str, Digest]):
-    """Digests by the source of their log, taken out of the ``store`` one at a time: they need not fit into
-    memory together. ``keys_of``: the key of each."""
-
-    def __init__(self, store: Store, keys_of: Mapping[str, str]) -> None:
-        self._store, self._keys = store, keys_of
-
-    def __getitem__(self, source: str) -> Digest:
-        return digested(self._store.value(self._keys[source]))[1]
-
-    def __contains__(self, source: object) -> bool:
-        return source in self._keys
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._keys)
-
-    def __len__(self) -> int:
-        return len(self._keys)
 
 
 def run_fleet(
@@ -92,128 +63,123 @@ def run_fleet(
         store = stack.enter_context(open_store(folder / STORE))
         opened: list[Cluster] = []
 
-        def cluster() -> Cluster:
-            """What works, once it is needed."""
-            if not opened:
+        def work(
+            stage: str, function: Callable[..., bytes], tasks: Mapping[str, tuple[Any, ...]]
+        ) -> dict[str, str]:
+            """Have what is not in the store yet worked out where it is asked for."""
+            new = {key: task for key, task in tasks.items() if not store.has(key)}
+            if new and not opened:
                 opened.append(stack.enter_context(open_cluster(on, security=security)))
-            return opened[0]
+            return _worked_out(store, opened, function, new, lambda done: tell(stage, done, len(new)))
 
-        hashes, reasons = _contents(fleet, store, cluster, tell)
-        reasons |= _copies(fleet, hashes)
-        new = {source: content for source, content in hashes.items() if source not in reasons}
-        keys, refused = _digested(fleet, new, store, cluster, tell)
-        undated = [log.source for log in fleet.logs if math.isnan(log.date) and log.source in keys]
+        hashes, reasons = _contents(fleet, store, tell)
+        arms = {log.source: fleet.types[log.type] for log in fleet.logs if log.source not in reasons}
+        keys = {
+            source: key_of("digest", DIGEST_VERSION, hashes[source], arm.text, arm.mapping or "")
+            for source, arm in arms.items()
+        }
+        tasks = {keys[source]: (arm, (_absolute(source),), (hashes[source],)) for source, arm in arms.items()}
+        failed = work(DIGESTING, digest_log, tasks)
+        for source, key in keys.items():
+            reason = failed.get(key) or store.refusal(key)
+            if reason is not None:
+                reasons[source] = reason
+        undated = [log.source for log in fleet.logs if math.isnan(log.date) and log.source not in reasons]
         fleet = fleet.dated({source: digested(store.value(keys[source]))[0] for source in undated})
-        reasons = {log.source: _DATELESS for log in fleet.logs if math.isnan(log.date)} | reasons | refused
-        unused = [*fleet.missing]
-        for log in fleet.logs:
-            if log.source in reasons:
-                unused.append(Unused(log.source, log.type, log.unit, reasons[log.source]))
-        digests = Digests(store, {source: key for source, key in keys.items() if source not in reasons})
-        if not digests:
+        reasons = {log.source: _DATELESS for log in fleet.logs if math.isnan(log.date)} | reasons
+        unused = [
+            Unused(log.source, log.type, log.unit, reasons[log.source])
+            for log in fleet.logs
+            if log.source in reasons
+        ]
+        unused = [*fleet.missing, *unused]
+        used = replace(fleet, logs=tuple(log for log in fleet.logs if log.source not in reasons))
+        if not used.logs:
             raise _nothing(fleet, unused)
         result = judge(
-            fleet, digests, unused=unused, false_names=false_names, progress=lambda stage: tell(stage, 0, 0)
-        )
+            used, lambda source: digested(store.value(keys[source]))[1], unused=unused,
+            false_names=false_names, progress=lambda stage: tell(stage, 0, 0),
+        )  # fmt: skip
         if files_of is None or diagnose == "none":
             return result
         named = [unit for unit in result.units if unit.claims or diagnose == "all"]
-        pages = diagnosed(
-            fleet, named, {source: hashes[source] for source in digests}, store, cluster, folder,
-            files_of, lambda done, of: tell(DIAGNOSING, done, of),
+        logs = {_absolute(log.source): log for log in used.logs}
+        contents = {path: hashes[log.source] for path, log in logs.items()}
+        new = diagnosed(
+            fleet.types, logs, contents, named, store, folder, files_of,
+            lambda tasks, function: work(DIAGNOSING, function, tasks),
         )  # fmt: skip
-        units = tuple(completed(unit, pages.get((unit.type, unit.unit))) for unit in result.units)
+        units = tuple(completed(unit, new) for unit in result.units)
         return replace(result, units=units)
 
 
-def _contents(
-    fleet: Fleet, store: Store, cluster: Callable[[], Cluster], tell: Progress
-) -> tuple[dict[str, str], dict[str, str]]:
-    """The hashes of the content of logs, and why others have none, by their sources; what was read before and
-    is unchanged is not read again."""
-    hashes, unread, new = dict[str, str](), dict[str, str](), list[str]()
-    paths = {log.source: absolute_source(log.source) for log in fleet.logs}
-    named = {log.source: f"; {log.named} names it" for log in fleet.logs if log.named}
-    signatures = {source: _signature(path) for source, path in paths.items()}
-    for source, here in signatures.items():
-        content = here and store.content(paths[source], here)
-        if content:
-            hashes[source] = content
+def _absolute(source: str) -> str:
+    """``source`` with absolute paths, whatever folder a worker was started in."""
+    return "+".join(str(Path(part).absolute()) for part in files_of(source))
+
+
+def _contents(fleet: Fleet, store: Store, tell: Progress) -> tuple[dict[str, str], dict[str, str]]:
+    """The hashes of the content of logs, and why some of them do not count, by their sources; what was read
+    before and is unchanged is not read again."""
+    hashes, reasons = dict[str, str](), dict[str, str]()
+    first = dict[tuple[str, str], str]()
+    for k, log in enumerate(fleet.logs, 1):
+        path = _absolute(log.source)
+        try:
+            here, youngest = signature(path)
+            content = store.content(path, here)
+            if content is None:
+                content = digest(path)
+                store.saw(path, here, youngest, content)
+                tell(READING, k, len(fleet.logs))
+        except OSError as error:
+            named = f"; {log.named} names it" if log.named else ""
+            reasons[log.source] = f"the file cannot be read: {unreadable(error)}{named}"
+            continue
+        hashes[log.source] = content
+        original = first.setdefault((log.type, content), log.source)
+        if original != log.source:  # it would count twice
+            reasons[log.source] = f"it is a copy of {original}"
+    return hashes, reasons
+
+
+def _worked_out(
+    store: Store,
+    opened: Sequence[Cluster],
+    function: Callable[..., bytes],
+    tasks: Mapping[str, tuple[Any, ...]],
+    tell: Callable[[int], object],
+) -> dict[str, str]:
+    """Keep in the ``store`` what ``function`` makes of ``tasks`` by their keys, each an arm, paths of logs,
+    their hashes and more; why some come to nothing. What is no fault of a log is tried again in the next run.
+
+    Raises
+    ------
+    WrongWorker: a worker does not see the logs that this process sees.
+    """
+    if not tasks:
+        return {}
+    tell(0)
+    reasons = {}
+    for k, (key, outcome) in enumerate(opened[0].each(function, tasks.items()), 1):
+        if isinstance(outcome, Done):
+            store.keep(key, outcome.value)
         else:
-            new.append(source)
-    if not new:
-        return hashes, unread
-    tell(READING, len(hashes), len(fleet.logs))
-    parts = [new[k : k + HASHED] for k in range(0, len(new), HASHED)]
-    tasks = ((k, ([paths[source] for source in part],)) for k, part in enumerate(parts))
-    for k, outcome in cluster().each(contents, tasks):
-        if isinstance(outcome, Failed):
-            raise outcome.error
-        for source, read in zip(parts[k], outcome.value, strict=True):
-            path, here = paths[source], signatures[source]
-            if isinstance(read, str):
-                check_same_file(path, None, read)
-                unread[source] = read + named.get(source, "")
-                continue
-            content, worker_signature, youngest = read
-            # Where it is being written here, too, the digest of the log finds out.
-            if here is not None and here != worker_signature and here == _signature(path):
-                check_same_file(path, content, f"one with the SHA-256 {content[:16]}...")
-            hashes[source] = content
-            store.saw(path, worker_signature, youngest, content)
-        tell(READING, len(hashes) + len(unread), len(fleet.logs))
-    return hashes, unread
-
-
-def _signature(path: str) -> str | None:
-    """The signature of a log; None where it is not here: whoever works may see another file system."""
-    try:
-        return signature(path)[0]
-    except OSError:
-        return None
-
-
-def _copies(fleet: Fleet, hashes: Mapping[str, str]) -> dict[str, str]:
-    """Why logs of a type that are copies of others do not count: they would twice."""
-    first, copies = dict[tuple[str, str], str](), dict[str, str]()
-    for log in fleet.logs:
-        if log.source in hashes:
-            original = first.setdefault((log.type, hashes[log.source]), log.source)
-            if original != log.source:
-                copies[log.source] = f"it is a copy of {original}"
-    return copies
-
-
-def _digested(
-    fleet: Fleet, hashes: Mapping[str, str], store: Store, cluster: Callable[[], Cluster], tell: Progress
-) -> tuple[dict[str, str], dict[str, str]]:
-    """The keys of the digests of logs with these ``hashes``, and why others have none."""
-    arms = {log.source: fleet.types[log.type] for log in fleet.logs if log.source in hashes}
-    keys = {
-        source: key_of("digest", DIGEST_VERSION, hashes[source], arm.text, arm.mapping or "")
-        for source, arm in arms.items()
-    }
-    new = [source for source in arms if not store.has(keys[source])]
-    refused = dict[str, str]()
-    if new:
-        tell(DIGESTING, 0, len(new))
-        tasks = ((one, (arms[one], absolute_source(one), hashes[one])) for one in new)
-        for k, (source, outcome) in enumerate(cluster().each(digest_log, tasks)):
-            path = absolute_source(source)
-            if isinstance(outcome, Done):
-                store.keep(keys[source], outcome.value)
-            elif isinstance(outcome.error, InputError):
-                store.keep(keys[source], Refused(why(outcome.error, path)))
-            else:  # not of the log's making: tried again in the next run
-                refused[source] = why(outcome.error, path)
-                if isinstance(outcome.error, Changed):
-                    check_changed([path], [hashes[source]], refused[source])
-            tell(DIGESTING, k + 1, len(new))
-    for source, key in keys.items():
-        reason = store.refusal(key)
-        if reason is not None:
-            refused[source] = reason
-    return {source: key for source, key in keys.items() if source not in refused}, refused
+            _, paths, hashes, *_ = tasks[key]
+            reasons[key] = why(outcome.error, paths)
+            if isinstance(outcome.error, InputError):
+                store.keep(key, Refused(reasons[key]))
+            elif isinstance(outcome.error, Changed) and [hash_here(path)[0] for path in paths] == list(
+                hashes
+            ):
+                raise WrongWorker(
+                    f"a worker does not see the same file as this process: {', '.join(paths)}",
+                    found=reasons[key],
+                    expected="the same file under the same path for this process and all workers",
+                    remedy="put the logs on a file system that all of them share, such as a network drive",
+                )
+        tell(k)
+    return reasons
 
 
 def _nothing(fleet: Fleet, unused: Sequence[Unused]) -> InputError:

@@ -14,8 +14,7 @@ from benchmarks.fleet.recipe import Recipe
 from benchmarks.fleet.types import TrueType, draw_type
 from benchmarks.fleet.units import moved
 
-from robodyn.effects.springs import BACKLASH, ELASTICITY
-from robodyn.errors import InputError
+from robodyn.effects.springs import BACKLASH
 from robodyn.robot import load
 from robodyn.simulate.trajectories.trajectory import Trajectory
 
@@ -54,9 +53,3 @@ def test_play(true: TrueType, motion: Trajectory) -> None:
         apart[level] = np.sqrt(np.mean((log.tau - rigid.tau) ** 2, axis=0))[0] / true.noise[0]
     assert apart[0.02] < apart[0.5] < apart[1.0]
     assert apart[1.0] > 2
-
-
-def test_what_is_not_written_for_it(true: TrueType, motion: Trajectory) -> None:
-    soft = Change("soft", (ELASTICITY.id,), 2, None, 0.0, 1e-5, {})
-    with pytest.raises(InputError, match="not written for MuJoCo"):
-        by_mujoco.moved(true, changed(soft, 1.0, true, true.numbers), motion)

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import errno
 import json
 from pathlib import Path
 
 import pytest
-from benchmarks.fleet import plant as module
 from benchmarks.fleet.hide import main
 from benchmarks.fleet.plant import Planted, finish, plant_fleet
 from benchmarks.fleet.recipe import Recipe, read_recipe
-from benchmarks.fleet.units import log_of_day
 
 from robodyn.cluster import open_cluster
 from robodyn.diagnose.blind.seal import unsealed
-from robodyn.errors import InputError, OutputError
+from robodyn.errors import InputError
 from robodyn.fleet.sources.reading import read_fleet
 from robodyn.robot import load
 
@@ -59,47 +56,6 @@ def test_the_files_are_a_fleet(fleet: tuple[Path, Planted], tmp_path: Path) -> N
     json.dumps(result.answer, allow_nan=False)
 
 
-def test_the_rest_where_it_was_broken_off(
-    fleet: tuple[Path, Planted], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    original, calls = log_of_day, iter(range(8))
-
-    def fails(*arguments: object) -> object:
-        if next(calls, None) is None:
-            raise OSError(errno.ENOSPC, "No space left on device")
-        return original(*arguments)  # type: ignore[arg-type]  # as they were
-
-    with monkeypatch.context() as context:
-        context.setattr(module, "log_of_day", fails)
-        with pytest.raises(OutputError, match="goes on where it was"):
-            planted(tmp_path)
-    assert len(bytes_of(tmp_path / "logs")) < 15
-    with pytest.raises(InputError, match="another recipe"):
-        planted(tmp_path, Recipe(units=3, seed=3))
-    again = planted(tmp_path)
-    assert again.answer == fleet[1].answer
-    assert bytes_of(tmp_path / "logs") == bytes_of(fleet[0] / "logs")
-    finish(tmp_path, again)
-    with pytest.raises(InputError, match="not empty"):
-        planted(tmp_path)
-
-
-@pytest.mark.thorough
-def test_the_same_bytes_from_two_processes(fleet: tuple[Path, Planted], tmp_path: Path) -> None:
-    both = planted(tmp_path, on="local:2")
-    assert both == fleet[1]
-    assert bytes_of(tmp_path / "logs") == bytes_of(fleet[0] / "logs")
-
-
-def test_what_cannot_be_planted(tmp_path: Path) -> None:
-    arm = load("puma560_3dof")
-    with pytest.raises(InputError, match="one name"):
-        plant_fleet([arm, arm], SMALL, tmp_path)
-    with pytest.raises(InputError, match="more is planted"):
-        plant_fleet([arm], Recipe(units=3, friction_units=1.0, play_units=1.0), tmp_path)
-    assert not list(tmp_path.iterdir())
-
-
 @pytest.mark.parametrize(
     ("text", "what"),
     [
@@ -117,19 +73,6 @@ def test_recipes_that_are_wrong(text: str, what: str, tmp_path: Path) -> None:
     (tmp_path / "recipe.toml").write_text(text)
     with pytest.raises(InputError, match=what):
         read_recipe(tmp_path / "recipe.toml")
-
-
-def test_a_recipe(tmp_path: Path) -> None:
-    (tmp_path / "recipe.toml").write_text(f"{TEXT}[effects]\ntorque_gain = 0.01\n")
-    recipe = read_recipe(tmp_path / "recipe.toml", units=3, seed=2)
-    assert recipe == Recipe(
-        units=3,
-        seed=2,
-        logs=(5, 5),
-        duration=(1.0, 1.0),
-        friction_units=0.34,
-        effects=(("torque_gain", 0.01),),
-    )
 
 
 def test_at_the_shell(tmp_path: Path, capsys: Capture) -> None:

@@ -8,13 +8,11 @@ from typing import Any
 
 import pytest
 from benchmarks.fleet.score import FleetScore, main, score_fleet
-from benchmarks.fleet.table import page
 
 from robodyn.diagnose.blind.json_part import Part
 from robodyn.diagnose.blind.seal import seal
 from robodyn.effects.friction import COULOMB, VISCOUS
 from robodyn.effects.rigid import PAYLOAD
-from robodyn.errors import InputError
 
 
 def planted(unit: str, kind: str, effects: list[str], joint: int | None, since: str | None) -> dict[str, Any]:
@@ -54,11 +52,6 @@ def test_all_right() -> None:
     assert score.to_dict()["kinds"]["friction"] == {"planted": 1, "named": 1, "right": 1}
 
 
-def test_dates_far_off_and_outside_of_their_interval() -> None:
-    score = scored({"u1": [claim([VISCOUS.id], 3, "2025-08-01T00:00:00Z", days=5)]})
-    assert (score.days_off, score.near, score.interval_holds) == (92.0, 0.0, 0.0)
-
-
 @pytest.mark.parametrize(
     ("named", "result"),
     [
@@ -74,21 +67,6 @@ def test_what_is_wrong_or_missed(named: dict[str, list[dict[str, Any]]], result:
     assert scored(named).result == result
 
 
-def test_cases_say_what_is_planted_and_named() -> None:
-    score = scored({"u2": [claim([VISCOUS.id], 3)], "u5": [claim([], 2)]})
-    assert [(case.unit, case.planted, case.named, case.right) for case in score.cases] == [
-        ("u1", f"{COULOMB.id} and {VISCOUS.id} at joint 3", (), False),
-        ("u2", PAYLOAD.id, (f"{VISCOUS.id} at joint 3",), False),
-        ("u5", None, ("unexplained torque at joint 2",), False),
-    ]
-
-
-def test_another_fleet_is_noticed() -> None:
-    answer = Part(ANSWER, "answer.sealed", "an answer", "look")
-    assert not score_fleet(answer, {"units": [{"type": "b", "unit": "u1", "claims": []}]}).same
-    assert scored({}).same
-
-
 def test_at_the_shell(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "answer.sealed").write_text(seal(ANSWER))
     file = tmp_path / "fleet.json"
@@ -99,34 +77,3 @@ def test_at_the_shell(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     right, wrong = capsys.readouterr().out.split("overall: right\n")
     assert "friction: 1 of 1 units are named, 1 with effect and joint right" in right
     assert f"u2: {PAYLOAD.id} is planted, {VISCOUS.id} at joint 3 is named" in wrong
-
-
-@pytest.mark.parametrize(
-    ("result", "part"),
-    [
-        ([], "a JSON object"),
-        ({}, "units"),
-        ({"units": [{"type": "a", "claims": []}]}, r"units\[0\].unit"),
-        ({"units": [{"type": "a", "unit": "u1", "claims": [{"effects": 3}]}]}, r"claims\[0\].effects"),
-        (
-            {"units": [{"type": "a", "unit": "u1", "claims": [claim([VISCOUS.id], 3, "yesterday")]}]},
-            r"claims\[0\].since",
-        ),
-    ],
-)
-def test_no_answer_about_a_fleet(result: Any, part: str) -> None:
-    with pytest.raises(InputError, match=part):
-        score_fleet(Part(ANSWER, "answer.sealed", "an answer", "look"), result)
-
-
-def test_the_page_of_the_benchmark() -> None:
-    figures = {"seed": 7, "logs": 1200, "seconds": {"judged": 90.0}}
-    text = page({"fleets": {"mujoco": {**figures, "score": scored({**RIGHT, "u5": RIGHT["u1"]}).to_dict()}}})
-    rows = {line.split("|")[1].strip(): line for line in text.splitlines() if line.startswith("| ")}
-    assert rows["units, logs, seed"].endswith("| 100, 1200, 7 |")
-    assert rows["planted units named"] == "| planted units named | 90 % | 2 of 2 (100.0%) |"
-    assert rows["healthy units named"].endswith("1 of 98 (1.0%) |")
-    assert rows["friction: named; right"].endswith("1; 1 of 1 |")
-    assert rows["dates off by (median)"].endswith("10 days |")
-    assert rows["judged in"].endswith("1.5 min |")
-    assert rows["u5"] == f"| u5 | nothing | {VISCOUS.id} at joint 3 |"

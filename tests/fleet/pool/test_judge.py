@@ -67,7 +67,8 @@ def _fleet() -> tuple[Fleet, dict[str, Digest]]:
 
 @cache
 def _result() -> FleetResult:
-    return judge(*_fleet())
+    fleet, digests = _fleet()
+    return judge(fleet, digests.__getitem__)
 
 
 @pytest.mark.thorough
@@ -122,7 +123,7 @@ def test_a_date_that_a_clock_has_lost_is_said() -> None:
     logs = tuple(
         replace(log, date=log.date - 2000 * DAY) if log.source in lost else log for log in fleet.logs
     )
-    result = judge(replace(fleet, logs=tuple(sorted(logs, key=lambda log: log.order))), digests)
+    result = judge(replace(fleet, logs=tuple(sorted(logs, key=lambda log: log.order))), digests.__getitem__)
     assert {log.source for log in result.unused} == lost
     (claim,) = result.units[0].claims
     assert (claim.effects, claim.feature) == (("clock",), "date")
@@ -138,7 +139,7 @@ def test_a_date_that_a_clock_has_lost_is_said() -> None:
 def test_few_logs_say_little_and_break_nothing(sources: tuple[str, ...]) -> None:
     fleet, digests = _fleet()
     few = replace(fleet, logs=tuple(log for log in fleet.logs if log.source in sources))
-    result = judge(few, {source: digests[source] for source in sources})
+    result = judge(few, digests.__getitem__)
     assert not [one for one in result.units if one.claims]
     assert sum(one.logs for one in result.units) == len(sources)
     assert {one.unit for one in result.not_observed} == {one.unit for one in result.units}

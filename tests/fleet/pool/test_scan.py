@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from robodyn.fleet.pool.names import courses_of, permuted_of, sureness_of
+from robodyn.fleet.pool.events import program_changes
+from robodyn.fleet.pool.names import courses_of, names_of
 from robodyn.fleet.pool.numbers import Places
 from robodyn.fleet.pool.population import population_of
-from robodyn.fleet.pool.programs import is_same, program_change
-from robodyn.fleet.pool.scan import Course
+from robodyn.fleet.pool.programs import chances_of, is_same
+from robodyn.fleet.pool.scan import Course, calendar_of, course_of
 from robodyn.identify.normal import layout_of
 
 DAY = 86400.0
@@ -42,15 +43,13 @@ def fleet(seed: int, units: int = 20, drift: float = 0.0) -> Any:
 
 
 def named(model: Any) -> set[int]:
-    courses = courses_of([model])
-    sureness = sureness_of([model], courses, permuted_of([model], courses))
-    return {unit for (_, unit), sure in sureness.items() if sure.q <= 0.05}
+    return {unit for _, unit in names_of([model], courses_of([model]), 0.05)}
 
 
 @pytest.mark.thorough
 def test_a_drift_is_named_and_chance_is_not() -> None:
-    assert named(fleet(1, drift=0.5)) == {0}
-    assert sum(bool(named(fleet(seed))) for seed in range(2, 12)) <= 1
+    assert named(fleet(2, drift=0.5)) == {0}
+    assert sum(bool(named(fleet(seed))) for seed in range(3, 13)) <= 1
 
 
 def course(value: np.ndarray) -> Course:
@@ -59,8 +58,10 @@ def course(value: np.ndarray) -> Course:
     values = np.concatenate([value, 0.1 * np.random.default_rng(1).standard_normal(60)])
     unit = np.repeat(np.arange(7), [K, *[10] * 6])
     one = population_of(values, np.full(K + 60, 0.01), unit, unit, np.zeros((K + 60, 0)))
-    days = 10 * DAY * np.arange(K, dtype=np.float64)
-    return Course(np.arange(K), days, np.zeros(K, dtype=int), one, 3.0)
+    calendar = calendar_of(np.arange(K), 10 * DAY * np.arange(K, dtype=np.float64), unit[:K], 1)
+    found = course_of(calendar, one, rises=False)
+    assert found is not None
+    return found
 
 
 def test_one_odd_log_is_no_change_and_a_step_is() -> None:
@@ -68,15 +69,24 @@ def test_one_odd_log_is_no_change_and_a_step_is() -> None:
     odd, step = noise.copy(), noise.copy()
     odd[5] += 5.0
     step[6:] += 1.0
-    assert course(odd).observed < 2
+    assert course(odd).orbit[0] < 2
     assert int(np.argmax(course(odd).odd)) == 5
     stepped = course(step)
-    assert stepped.observed > 30
-    best = int(np.argmax(stepped.gains(stepped.shapes.share)))
-    size, error = stepped.amount(stepped.shapes.share[best])
+    assert stepped.orbit[0] > max(20, stepped.orbit[1:].max())
+    share = stepped.share[int(np.argmax(stepped.gains(stepped.share)))]
+    size, error = stepped.amount(share)
     assert size == pytest.approx(1.0, abs=4 * error)
-    assert stepped.holds(stepped.shapes.share[best], size)
-    assert not course(noise).holds(stepped.shapes.share[best], 1.0)
+    assert stepped.holds(share, size)
+    assert not course(noise).holds(share, 1.0)
+
+
+def test_dates_are_permuted_within_programs_and_logs_alone_in_one_are_left_out() -> None:
+    group = np.array([4, 7, 4, 9, 7, 4])
+    calendar = calendar_of(np.arange(10, 16), np.arange(6.0), group, 1)
+    assert calendar.logs.tolist() == [10, 11, 12, 14, 15]
+    assert calendar.orders[0].tolist() == [0, 1, 2, 3, 4]
+    assert (calendar.group[calendar.orders] == calendar.group).all()
+    assert len(np.unique(calendar.orders, axis=0)) == 12  # of 3! times 2!
 
 
 def test_numbers_of_a_log_stand_where_its_columns_do() -> None:
@@ -101,9 +111,21 @@ def test_programs_are_told_by_their_paths() -> None:
     assert not is_same((path(1), 0.12), (path(2), 0.12))
 
 
+def changes(programs: list[int], *, named: int = 0, units: int = 1) -> list[int]:
+    """In which units, all of which run ``programs``, a change of them is told."""
+    K = len(programs)
+    model = SimpleNamespace(
+        unit=np.repeat(np.arange(units), K), program=np.tile(programs, units), units=list(range(units)),
+        dates=np.arange(units * K, dtype=np.float64), logs_of=lambda u: np.arange(K * u, K * (u + 1)),
+    )  # fmt: skip
+    return [unit for _, unit in program_changes([model], named, 0.05)]  # type: ignore[list-item]
+
+
 def test_a_change_of_program_is_one_that_does_not_come_back() -> None:
-    assert program_change(np.array([0, 0, 0, 0, 1, 1, 1, 1]), 0.3, 1) == 4
-    assert program_change(np.array([0, 1, 0, 0, 1, 0, 1, 1]), 0.3, 1) is None
-    assert program_change(np.array([0, 0, 0, 0, 0, 0, 0, 1]), 0.01, 1) is None  # one log is none yet
-    assert program_change(np.array([0, 0, 0, 1, 1]), 0.5, 1) is None  # two programs in turn look so by chance
-    assert program_change(np.array([0, 0, 0, 1, 1]), 0.01, 1) == 3
+    assert chances_of(np.array([0, 0, 0, 1, 1])).tolist() == pytest.approx([2.2, 0.2, 0.2])
+    assert changes([0, 0, 0, 0, 1, 1, 1, 1]) == [0]
+    assert changes([0, 1, 0, 0, 1, 0, 1, 1]) == []
+    assert changes([0] * 20 + [1]) == []  # one log is none yet
+    assert changes([0, 0, 0, 1, 1]) == []  # two programs in turn look so by chance
+    assert changes([0, 0, 0, 1, 1], named=5) == [0]  # among so many names one may
+    assert changes([0] * 30 + [1] * 10, units=3) == [0, 1, 2]

@@ -2,34 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
+from robodyn.arrays import Floats
 from robodyn.fleet.as_json import day
-from robodyn.fleet.pool.programs import program_change, switching
+from robodyn.fleet.pool.programs import chances_of, split_of, switching
 from robodyn.fleet.pool.type_model import TypeModel, is_clock_wrong
 from robodyn.fleet.result import CLOCK, DATE, PROGRAM_CHANGE, Claim, Unused
 from robodyn.fleet.sources.dates import DAY
 from robodyn.fleet.sources.fleet import LogFile
 
 
-def unit_events(model: TypeModel, unit: int) -> Iterator[Claim]:
-    """The events of a unit (from 0) of a type: another program since a day, and a clock that is wrong."""
+def program_changes(
+    models: Sequence[TypeModel], named: int, false_names: float
+) -> dict[tuple[int, int], Claim]:
+    """By type and unit, what runs another program from a day on and none of the old ones again. Programs that
+    take turns look so by chance: of all names, ``named`` others among them, the share ``false_names`` is
+    expected to be such, at most (Benjamini and Hochberg 1995, with the chances that there are)."""
+    chances: list[Floats] = []
+    found: list[tuple[float, tuple[int, int], Claim]] = []
+    for k, model in enumerate(models):
+        seldom = switching(model.unit, model.program) <= false_names
+        for u in range(len(model.units)):
+            logs = model.logs_of(u)
+            chances.append(np.zeros(1) if seldom else chances_of(model.program[logs])[2:])
+            place = split_of(model.program[logs])
+            if place is not None:
+                chance = 0.0 if seldom else float(chances[-1][min(place, len(logs) - place) - 2])
+                between = model.dates[logs][place - 1 : place + 1].tolist()
+                claim = _event(PROGRAM_CHANGE, PROGRAM_CHANGE, between, 1.0, "-")
+                found.append((chance, (k, u), claim))
+    found.sort(key=lambda one: one[0])
+    expected = [sum(own[own <= chance].max(initial=0.0) for own in chances) for chance, *_ in found]
+    good = [n for n, e in enumerate(expected, 1) if e <= false_names * (n + named)]
+    return {unit: claim for _, unit, claim in found[: max(good, default=0)]}
+
+
+def clock_event(model: TypeModel, unit: int) -> Claim | None:
+    """The clock of a unit (from 0) of a type, where it is wrong."""
     logs = model.logs_of(unit)
-    dates = model.dates[logs]
-    place = program_change(model.program[logs], switching(model.unit, model.program), unit)
-    if place is not None:
-        yield _event(PROGRAM_CHANGE, PROGRAM_CHANGE, dates[place - 1 : place + 1].tolist(), 1.0, "-")
     wrong = is_clock_wrong(model.clock[logs])
     if wrong.sum() < 2:  # one log is odd
-        return
+        return None
     off = float(np.median(model.clock[logs][wrong])) - 1
     first = int(np.argmax(wrong))
-    if first and not wrong[:first].any() and wrong[first:].all():
-        yield _event(CLOCK, CLOCK, dates[first - 1 : first + 1].tolist(), off, "1")
-    else:
-        yield _event(CLOCK, CLOCK, [], off, "1")
+    is_step = first > 0 and not wrong[:first].any() and bool(wrong[first:].all())
+    return _event(
+        CLOCK, CLOCK, model.dates[logs][first - 1 : first + 1].tolist() if is_step else [], off, "1"
+    )
 
 
 def _event(effect: str, feature: str, between: Sequence[float], size: float, unit: str) -> Claim:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from robodyn.effects.rigid import PAYLOAD
 from robodyn.effects.sensors import BIAS, GAIN
 from robodyn.effects.springs import BACKLASH
 from robodyn.fleet.limits import SEEN
-from robodyn.fleet.pool.numbers import LogNumbers
+from robodyn.fleet.pool.numbers import DRIVES, LogNumbers
 from robodyn.fleet.pool.population import known_median
 from robodyn.robot.model import Robot
 
@@ -72,51 +72,30 @@ def readings_of(
 ) -> Readings:
     """The readings of a type's logs; ``bursts`` and ``struck`` [K, n] as of
     :class:`~robodyn.fleet.digest.Digest`."""
-    K = len(numbers.left)
-    level, level_error = _levels(numbers)
-    share = np.divide(level_error, level, out=np.full_like(level, np.inf), where=level > 0)
-    usual = known_median(np.where(share < SEEN["friction"], level, np.nan))
-    usual = np.where(np.isfinite(usual), usual, 0.0)
-    values, errors = np.full((K, len(features)), np.nan), np.full((K, len(features)), np.inf)
+    places, moves, worth = numbers.places, numbers.worth > 0, np.maximum(numbers.worth, 1)
+    joints = range(places.n)
+    at = {name: [places.of(name, j) for j in joints] for name in DRIVES}
+    errors = np.sqrt(np.maximum(np.diagonal(numbers.covariance, axis1=1, axis2=2), 0))
+    # Friction [K, n] at the usual speed of each joint, and its standard error as a share of it.
+    level = numbers.y[:, at["viscous"]] * numbers.speed + numbers.y[:, at["coulomb"]]
+    across = numbers.covariance[:, at["viscous"], at["coulomb"]]
+    variance = (errors[:, at["viscous"]] * numbers.speed) ** 2 + errors[:, at["coulomb"]] ** 2
+    variance += 2 * numbers.speed * across
+    share = np.where(level > 0, np.sqrt(np.maximum(variance, 0)) / np.maximum(level, 1e-300), np.inf)
+    usual = np.nan_to_num(known_median(np.where(share < SEEN["friction"], level, np.nan)), nan=0.0)
+    # Of each kind what logs show [K, n], its standard error, and what that is at most of what counts.
+    shown: dict[Kind, tuple[Floats, Floats, Any]] = {
+        "friction": (np.log(np.maximum(level, 1e-300)), share, SEEN["friction"]),
+        "offset": (numbers.y[:, at["offset"]], errors[:, at["offset"]], SEEN["offset"] * usual),
+        "gain": (numbers.y[:, at["gain"]], errors[:, at["gain"]], SEEN["gain"]),
+        "play": (bursts, np.sqrt(0.5 / worth + 1 / np.maximum(struck, 1)), SEEN["play"]),
+        "unexplained": (np.log(np.maximum(numbers.left, 1e-12)), np.sqrt(0.5 / worth), 1.0),
+    }
+    body, body_error = numbers.y[:, [places.mass]], errors[:, [places.mass]]
+    values, stderr = np.full((2, len(level), len(features)), np.nan)
     for c, one in enumerate(features):
         j = (one.joint or 1) - 1
-        moves, worth = numbers.worth[:, j] > 0, np.maximum(numbers.worth[:, j], 1)
-        if one.kind == "friction":
-            value, error, most = np.log(np.maximum(level[:, j], 1e-300)), share[:, j], SEEN["friction"]
-        elif one.kind == "offset":
-            value, error = _of_place(numbers, numbers.places.of("offset", j))
-            most = SEEN["offset"] * float(usual[j])
-        elif one.kind == "gain":
-            value, error = _of_place(numbers, numbers.places.of("gain", j))
-            most = SEEN["gain"]
-        elif one.kind == "play":
-            value, most = bursts[:, j], SEEN["play"]
-            error = np.sqrt(numbers.worth[:, j].clip(1) ** -1 / 2 + 1 / np.maximum(struck[:, j], 1))
-        elif one.kind == "unexplained":
-            value, error, most = np.log(np.maximum(numbers.left[:, j], 1e-12)), np.sqrt(0.5 / worth), 1.0
-        else:
-            value, error = _of_place(numbers, numbers.places.mass)
-            most, moves = SEEN["body"] * numbers.mass, np.ones(K, dtype=bool)
-        seen = moves & (error < most) & np.isfinite(value)
-        values[seen, c], errors[seen, c] = value[seen], error[seen]
-    return Readings(
-        values, np.where(np.isfinite(values), errors, np.nan), np.where(numbers.worth > 0, share, np.inf)
-    )
-
-
-def _levels(numbers: LogNumbers) -> tuple[Floats, Floats]:
-    """Friction [K, n] at the usual speed of each joint, and its standard error."""
-    n = numbers.places.n
-    level, error = np.zeros((len(numbers.y), n)), np.zeros((len(numbers.y), n))
-    for j in range(n):
-        pair = [numbers.places.of(name, j) for name in ("viscous", "coulomb")]
-        weight = np.array([numbers.speed[j], 1.0])
-        level[:, j] = numbers.y[:, pair] @ weight
-        variance = np.einsum("a,kab,b->k", weight, numbers.covariance[:, pair][:, :, pair], weight)
-        error[:, j] = np.sqrt(np.maximum(variance, 0))
-    return level, error
-
-
-def _of_place(numbers: LogNumbers, place: int) -> tuple[Floats, Floats]:
-    """A number of all logs [K], and its standard error."""
-    return numbers.y[:, place], np.sqrt(np.maximum(numbers.covariance[:, place, place], 0))
+        value, error, most = shown.get(one.kind, (body, body_error, SEEN["body"] * numbers.mass))
+        seen = (error < most)[:, j] & np.isfinite(value[:, j]) & (moves[:, j] | (one.joint is None))
+        values[seen, c], stderr[seen, c] = value[seen, j], error[seen, j]
+    return Readings(values, stderr, np.where(moves, share, np.inf))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 
 import numpy as np
@@ -12,105 +12,94 @@ from scipy.stats import false_discovery_control, t
 
 from robodyn.arrays import Floats
 from robodyn.fleet.digest import Digest
-from robodyn.fleet.limits import ALWAYS, FALSE_NAMES
-from robodyn.fleet.pool.events import lost_dates, unit_events
-from robodyn.fleet.pool.names import Key, Sureness, courses_of, permuted_of, sureness_of
+from robodyn.fleet.limits import FALSE_NAMES
+from robodyn.fleet.pool.events import clock_event, lost_dates, program_changes
+from robodyn.fleet.pool.names import LASTING, Key, Name, courses_of, names_of
 from robodyn.fleet.pool.scan import Course
 from robodyn.fleet.pool.summary import first_to_look_at, not_observed, type_result, unit_result
 from robodyn.fleet.pool.type_model import TypeModel, type_model
 from robodyn.fleet.result import Claim, FleetResult, OddLog, Unused
 from robodyn.fleet.sources.fleet import Fleet
 
-_Claims = dict[tuple[int, int], list[Claim]]
-
 
 def judge(
     fleet: Fleet,
-    digests: Mapping[str, Digest],
+    digest: Callable[[str], Digest],
     *,
     unused: Sequence[Unused] = (),
     false_names: float = FALSE_NAMES,
     progress: Callable[[str], object] | None = None,
 ) -> FleetResult:
-    """What the ``digests`` of a fleet's logs (by source) say of its types and units. Logs without a digest do
-    not count; ``unused`` says why. At most the share ``false_names`` of the units
-    with a name is false, in the mean."""
+    """What the digests of a fleet's logs (``digest`` of a log's source, asked for several times) say of its
+    types and units; ``unused``: logs that are none of these, and why. At most the share ``false_names`` of
+    the units with a name is false, in the mean."""
     tell = progress or (lambda _: None)
-    logs = [log for log in fleet.logs if log.source in digests]
-    lost, dateless = lost_dates(logs)
-    logs = [log for log in logs if log.source not in {one.source for one in dateless}]
+    lost, dateless = lost_dates(fleet.logs)
+    without = {one.source for one in dateless}
+    logs = [log for log in fleet.logs if log.source not in without]
     models = []
     for name, own in groupby(logs, key=lambda log: log.type):
         tell(f"pooling logs of {name}")
-        models.append(type_model(fleet.types[name], list(own), digests))
+        models.append(type_model(fleet.types[name], list(own), digest))
     tell("comparing units")
     courses = courses_of(models)
-    sureness = sureness_of(models, courses, permuted_of(models, courses))
-    claims = _claims(models, courses, sureness, false_names)
-    for t_, model in enumerate(models):
+    names = names_of(models, courses, false_names)
+    events = program_changes(models, len(names), false_names)
+    units, unnamed = [], set[tuple[int, int]]()
+    for k, model in enumerate(models):
         for u, unit in enumerate(model.units):
-            claims.setdefault((t_, u), []).extend([*unit_events(model, u), *lost.get((model.name, unit), ())])
-    types = tuple(map(type_result, models))
-    odd = odd_logs(models, courses, claims)
-    units = tuple(
-        unit_result(model, u, tuple(claims[t_, u]), _unusual(model, (t_, u), courses))
-        for t_, model in enumerate(models)
-        for u in range(len(model.units))
-    )
+            name = names.get((k, u))
+            change = claim_of(model, name, courses) if name else None
+            others = (events.get((k, u)), clock_event(model, u), *lost.get((model.name, unit), ()))
+            claims = [one for one in (change, *others) if one is not None]
+            if not claims:
+                unnamed.add((k, u))
+            units.append(unit_result(model, u, tuple(claims), _unusual(model, (k, u), courses)))
     return FleetResult(
-        fleet.name, types, units, (*unused, *dateless), tuple(not_observed(models, courses)), odd,
+        fleet.name, tuple(map(type_result, models)), tuple(units), (*unused, *dateless),
+        tuple(not_observed(models, courses)), odd_logs(models, courses, unnamed),
         first_to_look_at(models, units), false_names,
     )  # fmt: skip
 
 
-def _claims(
-    models: Sequence[TypeModel],
-    courses: Mapping[Key, Course],
-    sureness: Mapping[tuple[int, int], Sureness],
-    false_names: float,
-) -> _Claims:
-    """What is claimed of the arms of units, by type and unit: changes, and of units that have not changed
-    what was always so."""
-    claims: _Claims = {}
-    for unit, sure in sureness.items():
-        if sure.q <= false_names:
-            claim = claim_of(models[sure.best[0]], sure, courses[sure.best])
-            if claim is not None:
-                claims[unit] = [claim]
-    for unit, claim in _always(models, false_names):
-        claims.setdefault(unit, [claim])
-    return claims
+def claim_of(model: TypeModel, name: Name, courses: Mapping[Key, Course]) -> Claim | None:
+    """What is claimed of a unit with a name; None where it does not hold in the logs that it speaks of."""
+    if name.is_change:
+        return _change(model, name, courses[name.key])
+    _, u, c = name.key
+    population, feature = model.population[c], model.features[c]
+    size = _stated(model, c, population.off(u), population.between_units, np.array([population.level]))
+    return Claim(
+        feature.effects, feature.joint, feature.name, "always", None, None, None, *size, name.p, name.q
+    )
 
 
-def claim_of(model: TypeModel, sure: Sureness, course: Course) -> Claim | None:
-    """The change of a unit's feature: of all shapes that the logs allow the simplest, and when; None where it
-    does not hold in the logs that it speaks of."""
-    feature, shapes = model.features[sure.best[2]], course.shapes
-    gains = course.gains(shapes.share)
+def _change(model: TypeModel, name: Name, course: Course) -> Claim | None:
+    """Of all shapes of a change that the logs allow the simplest, and when."""
+    feature, calendar = model.features[name.key[2]], course.calendar
+    gains = course.gains(course.share)
     best = int(np.argmax(gains))
     variance = float(course.variance(gains[best]))
-    within = float(t.ppf(0.975, course.freedom + course.own_freedom)) ** 2 * variance
-    allowed = gains >= gains[best] - within
-    if (allowed & shapes.steps).any():  # of two shapes that both hold the simpler one
-        allowed &= shapes.steps
+    allowed = gains >= gains[best] - float(t.ppf(0.975, course.freedom)) ** 2 * variance
+    is_step = calendar.start == calendar.end
+    if (allowed & is_step).any():  # of two shapes that both hold the simpler one
+        allowed &= is_step
         best = int(np.argmax(np.where(allowed, gains, -np.inf)))
-    size, error = course.amount(shapes.share[best])
-    if not course.holds(shapes.share[best], size):
+    share = course.share[best]
+    size, error = course.amount(share)
+    if not course.holds(share, size):
         return None
-    days, start = np.sort(course.days), shapes.start[allowed]
-    low, high = (
-        days[days <= start.min()].max(initial=days[0]),
-        days[days >= start.max()].min(initial=days[-1]),
-    )
+    days, start = np.sort(calendar.days[np.isin(calendar.logs, course.logs)]), calendar.start[allowed]
+    low = days[days <= start.min()].max(initial=days[0])
+    high = days[days >= start.max()].min(initial=days[-1])
     weight = np.exp(-0.5 * (gains[allowed].max() - gains[allowed]) / variance)
     since = float(weight @ start / weight.sum())
-    is_step = bool(shapes.steps[best])
-    end = float(shapes.end[best])
-    until = None if is_step or end >= days[-1] else max(end, since)
+    end = float(calendar.end[best])
+    until = None if is_step[best] or end >= days[-1] else max(end, since)
     return Claim(
-        feature.effects, feature.joint, feature.name, "step" if is_step else "drift", since,
+        feature.effects, feature.joint, feature.name, "step" if is_step[best] else "drift", since,
         (float(low), float(high)), until,
-        *_stated(model, sure.best[2], size, error, course.value[shapes.share[best] < 0.5]), sure.p, sure.q,
+        *_stated(model, name.key[2], size, error, course.value[share < 0.5]), name.p, name.q,
     )  # fmt: skip
 
 
@@ -127,60 +116,27 @@ def _stated(
     return size, error, feature.unit, size if feature.kind == "gain" else None
 
 
-def _always(models: Sequence[TypeModel], false_names: float) -> Iterator[tuple[tuple[int, int], Claim]]:
-    """Units that were always different: in the load that they carry, or in friction by a large factor."""
-    found: list[tuple[tuple[int, int], int, float, float, float]] = []
-    for t_, model in enumerate(models):
-        for c, feature in enumerate(model.features):
-            population = model.population[c]
-            if (
-                feature.kind not in ("friction", "body")
-                or len(model.units) < 8
-                or not population.between_units > 0
-            ):
-                continue
-            for u in range(len(model.units)):
-                own = population.value[model.logs_of(u)]
-                own = own[np.isfinite(own)]
-                if len(own) >= 3:
-                    off = float(np.median(own)) - population.level
-                    error = population.between_units
-                    chance = 2 * float(t.sf(abs(off) / error, 0.37 * (len(model.units) - 1)))  # of a median
-                    found.append(((t_, u), c, off, error, chance))
-    if not found:
-        return
-    shares = false_discovery_control([min(one[-1], 1.0) for one in found])
-    for (unit, c, off, error, chance), q in zip(found, shares.tolist(), strict=True):
-        model, feature = models[unit[0]], models[unit[0]].features[c]
-        if q <= false_names and (feature.kind == "body" or abs(off) > math.log(ALWAYS)):
-            size = _stated(model, c, off, error, np.array([model.population[c].level]))
-            yield unit, Claim(
-                feature.effects, feature.joint, feature.name, "always", None, None, None, *size, chance, q
-            )  # fmt: skip
-
-
 def odd_logs(
-    models: Sequence[TypeModel], courses: Mapping[Key, Course], claims: _Claims
+    models: Sequence[TypeModel], courses: Mapping[Key, Course], unnamed: set[tuple[int, int]]
 ) -> tuple[OddLog, ...]:
     """Single logs that are off from all others of their unit, of which nothing is claimed: a fault of one
     recording, and no name."""
-    rows: list[tuple[float, Key, int]] = []
-    for key, course in courses.items():
-        if not claims.get(key[:2]):
-            chance = 2 * t.sf(course.odd, course.freedom + course.own_freedom)
-            rows += [(float(p), key, k) for k, p in enumerate(chance.tolist())]
+    rows = [
+        (float(p), key, int(place))
+        for key, course in courses.items()
+        if key[:2] in unnamed
+        for p, place in zip(2 * t.sf(course.odd, course.freedom), course.logs, strict=True)
+    ]
     if not rows:
         return ()
-    shares = false_discovery_control([row[0] for row in rows])
+    shares = false_discovery_control([p for p, *_ in rows])
     odd = [row for row, q in zip(rows, shares.tolist(), strict=True) if q <= FALSE_NAMES]
     several = Counter(key for _, key, _ in odd)
     listed: dict[str, OddLog] = {}
-    for _, (t_, u, c), k in sorted(row for row in odd if several[row[1]] == 1):  # the oddest first
-        model = models[t_]
-        log = model.logs[int(courses[t_, u, c].logs[k])]
-        listed.setdefault(
-            log.source, OddLog(model.name, model.units[u], log.source, log.date, model.features[c].name)
-        )
+    for _, (k, u, c), place in sorted(row for row in odd if several[row[1]] == 1):  # the oddest first
+        model = models[k]
+        log, name = model.logs[place], model.features[c].name
+        listed.setdefault(log.source, OddLog(model.name, model.units[u], log.source, log.date, name))
     return tuple(sorted(listed.values(), key=lambda one: (one.type, one.unit, one.date)))
 
 
@@ -189,20 +145,12 @@ def _unusual(model: TypeModel, unit: tuple[int, int], courses: Mapping[Key, Cour
     unusual = {}
     for c, feature in enumerate(model.features):
         course, population = courses.get((*unit, c)), model.population[c]
-        own = population.value[model.logs_of(unit[1])]
-        own = own[np.isfinite(own)]
-        beside = (
-            (float(np.median(own)) - population.level) / population.between_units
-            if (len(own) and population.between_units > 0)
-            else 0.0
-        )
-        changed = 0.0
-        if course is not None:
-            gains = course.gains(course.shapes.share)
-            size, _ = course.amount(course.shapes.share[int(np.argmax(gains))]) if gains.any() else (0.0, 0.0)
-            changed = math.copysign(math.sqrt(course.observed), size)
-        if len(own):
-            unusual[feature.name] = max(
-                beside if feature.kind in ("friction", "body") else 0.0, changed, key=abs
-            )
+        beside = changed = 0.0
+        if feature.kind in LASTING and population.between_units > 0:
+            beside = population.off(unit[1]) / population.between_units
+        if course is not None and course.orbit[0] > 0:
+            size, _ = course.amount(course.share[int(np.argmax(course.gains(course.share)))])
+            changed = math.copysign(math.sqrt(course.orbit[0]), size)
+        if np.isfinite(population.off(unit[1])):
+            unusual[feature.name] = max(beside, changed, key=abs)
     return unusual

@@ -23,7 +23,7 @@ from robodyn.fleet.digest import Digest
 from robodyn.fleet.limits import ANY_NUMBER, BODY_SHARE, GAIN_SHARE, LINK_SHARE
 from robodyn.fleet.pool.population import known_median
 from robodyn.identify.normal import Layout
-from robodyn.identify.prior import Usual, prior_of
+from robodyn.identify.prior import Prior, Usual, prior_of
 from robodyn.robot.model import Robot
 
 #: What a log tells of the drive of each joint: friction, offset and gain of its torque.
@@ -79,10 +79,9 @@ class LogNumbers:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Type:
-    """The ``robot``, its ``layout``; which columns are ``rigid`` [k], their ``numbers`` [k] and how these
-    scatter from unit to unit (``scatter`` [k]); precisions of what a log does not show (``unseen`` [s])."""
+    """The ``layout``; which columns are ``rigid`` [k], their ``numbers`` [k] and how these scatter from unit
+    to unit (``scatter`` [k]); precisions of what a log does not show (``unseen`` [s])."""
 
-    robot: Robot
     layout: Layout
     rigid: NDArray[np.intp]
     numbers: Floats
@@ -104,68 +103,52 @@ def numbers_of(
 ) -> LogNumbers:
     """The numbers of logs of a type: the ``digest`` of each (from 0) is asked for several times, one after
     the other; ``units`` [K]: the unit of each (from 0), ``used`` [K]: whether it counts."""
-    heads = list(map(_head, map(digest, range(len(units)))))
+    # Of each log rows, how many say the same, squares left by a fit of its own, torque, speed, acceleration.
+    heads = [
+        (one.rows, one.alike, [R[-1, -1] ** 2 for R in one.roots], one.torque, one.speed, one.acceleration)
+        for one in map(digest, range(len(units)))
+    ]
     rows, alike, free, *motion = (np.array(each) for each in zip(*heads, strict=True))
     rows = np.where(used[:, None], rows, 0.0)
-    usual = Usual(*(_usual(each, rows) for each in motion))
+    moving = (known_median(np.where(rows > 0, each, np.nan)) for each in motion)
+    usual = Usual(*(np.nan_to_num(each, nan=1e-9) for each in moving))
     layout, places = digest(0).layout, Places(robot.n)
-    variance = free / np.maximum(rows, 1)
-    variance = np.maximum(variance, (1e-6 * usual.torque) ** 2)
-    whole = _prior_type(robot, layout, usual)
+    least = (1e-6 * usual.torque) ** 2
+    variance = np.maximum(free / np.maximum(rows, 1), least)
+    prior = prior_of(robot, layout, usual)
+    whole = _type_of(prior, prior_of(robot, layout, usual, LINK_SHARE).sd, layout)
     y = np.zeros((len(rows), places.size))
     covariance = np.zeros((len(rows), places.size, places.size))
     for _ in range(_ROUNDS):
-        weights = _weights(variance, alike, rows)
-        whole = _fit_type(whole, usual, digest, weights)
+        weights = np.where(rows > 0, 1 / (variance * alike), 0.0)
+        whole = _fit_type(whole, prior, digest, weights)
         for unit in range(int(units.max()) + 1):
             own = np.flatnonzero(units == unit)
             several = [digest(k) for k in own.tolist()]
             y[own], covariance[own], variance[own] = _fit_unit(whole, several, weights[own], rows[own])
-        variance = np.maximum(variance, (1e-6 * usual.torque) ** 2)
+        variance = np.maximum(variance, least)
     masses = layout.link(0)[0] + 10 * np.arange(robot.n)
     mass = max(float(np.abs(whole.numbers[np.isin(whole.rigid, masses)]).sum()), 1e-6)
     return LogNumbers(places, y, covariance, np.sqrt(variance), rows / alike, mass, usual.speed)
 
 
-def _usual(size: Floats, rows: Floats) -> Floats:
-    """What is usual [n] of sizes [K, n] in logs in which a joint moves."""
-    return np.nan_to_num(known_median(np.where(rows > 0, size, np.nan)), nan=1e-9)
-
-
-def _head(one: Digest) -> tuple[Floats, ...]:
-    """What is kept of each digest meanwhile [n]: rows, how many say the same, squares left by a fit of its
-    own, torque, speed and acceleration."""
-    free = np.array([R[-1, -1] ** 2 for R in one.roots])
-    return one.rows, one.alike, free, one.torque, one.speed, one.acceleration
-
-
-def _weights(variance: Floats, alike: Floats, rows: Floats) -> Floats:
-    """What a sample of each joint of each log counts [K, n]."""
-    return np.where(rows > 0, 1 / (variance * alike), 0.0)
-
-
-def _prior_type(robot: Robot, layout: Layout, usual: Usual) -> _Type:
-    prior = prior_of(robot, layout, usual)
+def _type_of(prior: Prior, scatter: Floats, layout: Layout) -> _Type:
+    """The type as its description has it, with numbers of units that ``scatter`` [p]."""
     drives = np.concatenate([layout.joint(name) for name in DRIVES[:-1]])
     rigid = np.setdiff1d(np.arange(layout.size), drives)
-    scatter = prior_of(robot, layout, usual, LINK_SHARE).sd[rigid]
     if "rotor" in layout.own:
-        rotors = np.isin(rigid, layout.joint("rotor"))
-        scatter[rotors] = LINK_SHARE * np.maximum(
-            prior.mean[rigid][rotors], LINK_SHARE * prior.sd[rigid][rotors]
-        )
-    masses = float(prior.mean[layout.link(0)[0] + 10 * np.arange(robot.n)].sum())
+        rotors = layout.joint("rotor")
+        scatter[rotors] = LINK_SHARE * np.maximum(prior.mean[rotors], LINK_SHARE * prior.sd[rotors])
+    masses = float(prior.mean[layout.link(0)[0] + 10 * np.arange(layout.n)].sum())
     body = np.full(BODY, max(BODY_SHARE * masses, 1e-6))
-    unseen = np.concatenate(
-        [ANY_NUMBER * np.maximum(prior.sd[drives], 1e-12), np.full(robot.n, GAIN_SHARE), body]
-    )
-    return _Type(robot, layout, rigid, prior.mean[rigid], scatter, 1 / unseen**2)
+    drive = ANY_NUMBER * np.maximum(prior.sd[drives], 1e-12)
+    unseen = np.concatenate([drive, np.full(layout.n, GAIN_SHARE), body])
+    return _Type(layout, rigid, prior.mean[rigid], scatter[rigid], 1 / unseen**2)
 
 
-def _fit_type(whole: _Type, usual: Usual, digest: Callable[[int], Digest], weights: Floats) -> _Type:
+def _fit_type(whole: _Type, prior: Prior, digest: Callable[[int], Digest], weights: Floats) -> _Type:
     """The type with the inertial numbers that the logs of all its units have in common; drives and a body at
     the tip are each log's own, gains 1."""
-    prior = prior_of(whole.robot, whole.layout, usual)
     start = 1 / prior.sd[whole.rigid] ** 2
     H, h = np.diag(start), start * prior.mean[whole.rigid]
     bare = replace(whole, numbers=np.zeros_like(whole.numbers))

@@ -6,50 +6,39 @@ logs of one program is the arm; a log of another program says nothing of a chang
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable
 
 import numpy as np
 from scipy.spatial import cKDTree
 
 from robodyn.arrays import Floats, Indices
 from robodyn.fleet.digest import Digest
-from robodyn.fleet.limits import COVERED, FALSE_NAMES, PART_COVERED, PERMUTATIONS
+from robodyn.fleet.limits import COVERED, PART_COVERED
 
 
 def programs_of(units: Indices, digest: Callable[[int], Digest]) -> Indices:
     """The program [K] of each log of a type (``units`` [K]: the unit of each): a number from 0 on, in the
-    order of the logs. Two units may run one program."""
+    order of the logs. Two units may run one program. Of each unit the logs with the longest paths come first:
+    each joins a program of the unit that it shares a path with, else one of others that looks like it."""
     labels = np.full(len(units), -1)
     leaders: list[tuple[Floats, float, Floats]] = []  # of each program: path, size of cells, mean and scatter
     for unit in dict.fromkeys(units.tolist()):
-        own = np.flatnonzero(units == unit)
-        paths = [(one.path, one.cell) for one in map(digest, own.tolist())]
-        for group in _groups(paths):
-            path, cell = max((paths[k] for k in group), key=lambda one: len(one[0]))
+        own = ((k, digest(k)) for k in np.flatnonzero(units == unit).tolist())
+        paths = [(k, one.path, one.cell) for k, one in own]
+        of_unit: list[int] = []
+        for k, path, cell in sorted(paths, key=lambda row: -len(row[1])):
             look = np.concatenate([path.mean(axis=0), path.std(axis=0)])
-            alike = (
-                k for k, one in enumerate(leaders) if np.abs(one[2] - look).max() < 5 * max(cell, one[1])
-            )
-            same = next((k for k in alike if is_same(leaders[k][:2], (path, cell))), len(leaders))
+            far = [np.abs(one[2] - look).max() > 5 * max(cell, one[1]) for one in leaders]
+            others = [p for p, is_far in enumerate(far) if not is_far]
+            fitting = (p for p in (*of_unit, *others) if is_same(leaders[p][:2], (path, cell)))
+            labels[k] = same = next(fitting, len(leaders))
             if same == len(leaders):
                 leaders.append((path, cell, look))
-            labels[own[group]] = same
+            if same not in of_unit:
+                of_unit.append(same)
     _, first, dense = np.unique(labels, return_index=True, return_inverse=True)
     return np.argsort(np.argsort(first))[dense]
-
-
-def _groups(paths: Sequence[tuple[Floats, float]]) -> list[list[int]]:
-    """The paths of a unit by programs, the longest paths first: each joins a program with a path that it
-    shares."""
-    groups: list[list[int]] = []
-    for k in sorted(range(len(paths)), key=lambda k: -len(paths[k][0])):
-        same = (group for group in groups if any(is_same(paths[one], paths[k]) for one in group[:3]))
-        group = next(same, None)
-        if group is None:
-            groups.append([k])
-        else:
-            group.append(k)
-    return groups
 
 
 def is_same(one: tuple[Floats, float], other: tuple[Floats, float]) -> bool:
@@ -64,26 +53,22 @@ def is_same(one: tuple[Floats, float], other: tuple[Floats, float]) -> bool:
     return max(shares) > COVERED and min(shares) > PART_COVERED
 
 
-def program_change(programs: Indices, usually: float, seed: int) -> int | None:
+def split_of(programs: Indices) -> int | None:
     """From which log on (of those of a unit, by date, from 2 on) it runs none of the ``programs`` [K] that it
-    ran before; None where it never does, or where programs that take turns could look so by chance.
-    ``usually``: the share of successive logs in the fleet that are of two programs."""
-    place, shorter = _split(programs)
-    if not shorter:
-        return None
-    rng = np.random.default_rng(seed)
-    chance = np.mean([_split(rng.permutation(programs))[1] >= shorter for _ in range(PERMUTATIONS)])
-    return place if min(float(chance), usually) <= FALSE_NAMES else None
+    ran before, with most logs on either side; None where it never does."""
+    count = len(programs)
+    places = [k for k in range(2, count - 1) if not np.isin(programs[k:], programs[:k]).any()]
+    return min(places, key=lambda k: abs(2 * k - count), default=None)
 
 
-def _split(programs: Indices) -> tuple[int, int]:
-    """The log from which on no program of those before comes back, and how many logs there are on the shorter
-    side of it, at least two; of several that with most, of none 0."""
-    best = (0, 0)
-    for k in range(2, len(programs) - 1):
-        if not np.isin(programs[k:], programs[:k]).any():
-            best = max(best, (k, min(k, len(programs) - k)), key=lambda one: one[1])
-    return best
+def chances_of(programs: Indices) -> Floats:
+    """How often a random order of a unit's logs has a split with 0, 1, 2 ... logs or more on either side: of
+    all sets of so many logs that might come first, those that are all logs of some ``programs`` [K]."""
+    count, sets = len(programs), np.ones(1)
+    for own in np.unique(programs, return_counts=True)[1].tolist():
+        sets = np.convolve(sets, np.bincount([0, own]))
+    share = np.array([sets[k] / math.comb(count, k) for k in range(count + 1)])
+    return np.array([share[k : count + 1 - k].sum() for k in range(count // 2 + 1)])
 
 
 def switching(units: Indices, programs: Indices) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from math import nan
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,46 +60,31 @@ def unit_result(
     logs = model.logs_of(unit)
     series, now = {}, {}
     for one, population in zip(model.features, model.population, strict=True):
-        shown = [k for k in logs.tolist() if np.isfinite(population.value[k])]
-        if not shown:
+        shown = logs[np.isfinite(population.value[logs])]
+        if not len(shown):
             continue
-        factors = [one.stated(float(population.value[k])) if one.is_logarithm else 1.0 for k in shown]
-        readings = tuple(
-            Reading(
-                model.logs[k].date, one.stated(float(population.value[k])),
-                factor * float(population.stderr[k]), int(model.program[k]) + 1,
-            )
-            for k, factor in zip(shown, factors, strict=True)
-        )  # fmt: skip
-        series[one.name] = readings
-        scatter = one.stated(population.level) if one.is_logarithm else 1.0
-        now[one.name] = _now(readings, claims, one.name, scatter * float(np.sqrt(population.between_logs)))
-    dates = model.dates[logs]
-    return UnitResult(
-        model.name,
-        model.units[unit],
-        len(logs),
-        float(dates[0]),
-        float(dates[-1]),
-        claims,
-        series,
-        now,
-        unusual,
-    )
+        value, level = (np.vectorize(one.stated)(x) for x in (population.value[shown], population.level))
+        error = population.stderr[shown] * (value if one.is_logarithm else 1.0)
+        dates, programs = model.dates[shown].tolist(), (model.program[shown] + 1).tolist()
+        series[one.name] = tuple(map(Reading, dates, value.tolist(), error.tolist(), programs))
+        scatter = population.between_logs * (level**2 if one.is_logarithm else 1.0)
+        now[one.name] = _now(series[one.name], claims, one.name, float(np.nan_to_num(scatter)))
+    first, last = model.dates[logs][[0, -1]].tolist()
+    name = model.units[unit]
+    return UnitResult(model.name, name, len(logs), first, last, claims, series, now, unusual)
 
 
 def _now(
     readings: Sequence[Reading], claims: Sequence[Claim], name: str, scatter: float
 ) -> tuple[float, float]:
     """What a feature comes to now, and its standard error: the mean of the readings since a change of it was
-    there in full, each with the ``scatter`` of logs beside its own error."""
-    since = max((claim.until or claim.since or 0.0 for claim in claims if claim.feature == name), default=0.0)
-    late = [one for one in readings if one.date >= since] or list(readings[-1:])
-    if any(one.shape == "drift" and one.until is None and one.feature == name for one in claims):
-        late = list(readings[-2:])  # it still goes on
-    weight = np.array(
-        [1 / max(one.stderr**2 + (0.0 if np.isnan(scatter) else scatter) ** 2, 1e-18) for one in late]
-    )
+    there in full, each with the variance of logs (``scatter``) beside its own."""
+    own = [claim for claim in claims if claim.feature == name]
+    since = max((claim.until or claim.since or 0.0 for claim in own), default=0.0)
+    late = [one for one in readings if one.date >= since] or readings[-1:]
+    if any(map(_goes_on, own)):
+        late = readings[-2:]
+    weight = np.array([1 / max(one.stderr**2 + scatter, 1e-18) for one in late])
     value = np.array([one.value for one in late])
     return float(weight @ value / weight.sum()), float(1 / np.sqrt(weight.sum()))
 
@@ -145,6 +131,19 @@ def _too_little(model: TypeModel, logs: NDArray[np.intp], j: int, c: int) -> tup
 
 # --- what to do first -------------------------------------------------------------------------------------
 
+#: How urgent a claim of each kind is, and what to do about it.
+_ACTIONS: Final = {
+    "friction": (3.0, "check gear, grease, brake and temperature of {where}: {course}{margin}"),
+    "play": (3.5, "check gear and coupling of {where}: {course}"),
+    "body": (3.2, "correct the payload of {where} by {size:+.2g} kg, or look for what hangs at its tip"),
+    "gain": (2.5, "check torque sensor and motor constant of {where}"),
+    "offset": (2.5, "check torque sensor and motor constant of {where}"),
+    "unexplained": (2.2, "look at {where}: its torque is less and less explained; see its diagnosis"),
+    PROGRAM_CHANGE: (0.5, "no fault: {where} runs another program, so earlier logs are no measure of it"),
+    CLOCK: (1.0, "set the clock of {where}"),
+    DATE: (1.0, "set the clock of {where}"),
+}
+
 
 def first_to_look_at(models: Sequence[TypeModel], units: Sequence[UnitResult]) -> tuple[Look, ...]:
     """The units to look at first, by consequence: what nears a limit, then what harms the arm or its work,
@@ -153,33 +152,21 @@ def first_to_look_at(models: Sequence[TypeModel], units: Sequence[UnitResult]) -
     looks = []
     for unit in units:
         for claim in unit.claims[:1]:
-            urgency, action = _action(claim, unit, kinds[unit.type])
+            model = kinds[unit.type]
+            kind = next((one.kind for one in model.features if one.name == claim.feature), claim.feature)
+            urgency, action = _ACTIONS[kind]
+            used, margin = _margin(claim, unit, model)
+            action = action.format(
+                where=f"joint {claim.joint} of {unit.unit}" if claim.joint else unit.unit,
+                course=_course_text(claim, unit), margin=margin, size=claim.size,
+            )  # fmt: skip
             look = Look(unit.type, unit.unit, why(claim), action, record(claim))
-            looks.append((-urgency, claim.p, unit.type, unit.unit, look))
+            looks.append((-(urgency + used + _goes_on(claim)), claim.p, unit.type, unit.unit, look))
     return tuple(row[-1] for row in sorted(looks, key=lambda row: row[:4])[:FIRST])
 
 
-def _action(claim: Claim, unit: UnitResult, model: TypeModel) -> tuple[float, str]:
-    """How urgent a claim is, and what to do about it."""
-    where = f"joint {claim.joint} of {unit.unit}" if claim.joint else unit.unit
-    kind = next((one.kind for one in model.features if one.name == claim.feature), claim.feature)
-    goes_on = claim.shape == "drift" and claim.until is None
-    if kind == "friction":
-        used, limit_text = _margin(claim, unit, model) if claim.size > 0 else (0.0, "")
-        verb = "check gear, grease and brake" if claim.size > 0 else "check grease and temperature"
-        return 3 + used + goes_on, f"{verb} of {where}: {_course_text(claim, unit)}{limit_text}"
-    if kind == "play":
-        return 3.5 + goes_on, f"check gear and coupling of {where}: {_course_text(claim, unit)}"
-    if kind == "body":
-        way = "enter the payload" if claim.size > 0 else "enter the payload that is gone"
-        return 3.2, f"{way} of {where}, {claim.size:+.2g} kg, or look for what hangs at its tip"
-    if kind in ("gain", "offset"):
-        return 2.5, f"check torque sensor and motor constant of {where}"
-    if kind == "unexplained":
-        return 2.2 + goes_on, f"look at {where}: its torque is less and less explained; see its diagnosis"
-    if kind == PROGRAM_CHANGE:
-        return 0.5, f"no fault: {where} runs another program, so earlier logs are no measure of it"
-    return 1.0, f"set the clock of {where}"
+def _goes_on(claim: Claim) -> bool:
+    return claim.shape == "drift" and claim.until is None
 
 
 def _course_text(claim: Claim, unit: UnitResult) -> str:
@@ -189,45 +176,40 @@ def _course_text(claim: Claim, unit: UnitResult) -> str:
     weeks = (unit.last - claim.since) / (7 * DAY)
     span = f"{weeks:.0f} weeks" if weeks >= 2 else f"{max(weeks * 7, 1):.0f} days"
     rising = "rising" if claim.size > 0 else "falling"
-    return (
-        f"{rising} for {span}" if claim.shape == "drift" and claim.until is None else f"it began {span} ago"
-    )
+    return f"{rising} for {span}" if _goes_on(claim) else f"it began {span} ago"
 
 
 def _margin(claim: Claim, unit: UnitResult, model: TypeModel) -> tuple[float, str]:
-    """Which share of the joint's torque limit its friction takes, and when it will take all of it."""
-    link = model.robot.links[(claim.joint or 1) - 1]
-    effort = link.joint.limits.torque
-    if effort is None or claim.feature not in unit.now:
+    """Which share of the joint's torque limit friction that has grown takes, and when it will take all of
+    it."""
+    effort = model.robot.links[(claim.joint or 1) - 1].joint.limits.torque
+    is_friction = claim.feature.startswith("friction") and claim.feature in unit.now
+    if not is_friction or claim.size <= 0 or effort is None:
         return 0.0, ""
     level, limit = unit.now[claim.feature][0], abs(float(effort))
-    share = level / limit
-    text = f"; it takes {share:.0%} of the torque limit"
-    if claim.shape == "drift" and claim.until is None and claim.since is not None and unit.last > claim.since:
-        rate = claim.size / (unit.last - claim.since)
-        reached = unit.last + (limit - level) / rate
+    text = f"; it takes {level / limit:.0%} of the torque limit"
+    if _goes_on(claim) and claim.since is not None and unit.last > claim.since:
+        reached = unit.last + (limit - level) / claim.size * (unit.last - claim.since)
         if reached < unit.last + 3 * 365 * DAY:
             text += f", and at this rate all of it on {day(reached)[:10]}"
-    return share, text
+    return level / limit, text
 
 
 def why(claim: Claim) -> str:
     """A claim in a sentence."""
+    since = f" since {day(claim.since)[:10]}" if claim.since is not None else ""
     if claim.feature == DATE:
         return "its clock has lost the date"
     if claim.feature == CLOCK:
-        since = f" since {day(claim.since)[:10]}" if claim.since is not None else ""
         return f"its clock runs {'slow' if claim.size < 0 else 'fast'} by {abs(claim.size):.0%}{since}"
     if claim.feature == PROGRAM_CHANGE:
-        return f"it runs another program since {day(claim.since or 0.0)[:10]}"
+        return f"it runs another program{since}"
     what = " and ".join(CATALOGUE[id].title.lower() for id in claim.effects) or "what no effect explains"
     where = f" at joint {claim.joint}" if claim.joint else ""
-    amount = "" if claim.share is None else f", {claim.share:+.0%}"
-    if claim.share is None and claim.unit != "-":
-        amount = f", {claim.size:+.3g} {claim.unit}"
-    if claim.since is None:
-        return f"{what}{where}{amount} beside its siblings, in all its logs"
-    return f"{what}{where}{amount} since {day(claim.since)[:10]}"
+    amount = "" if claim.unit == "-" else f", {claim.size:+.3g} {claim.unit}"
+    if claim.share is not None:
+        amount = f", {claim.share:+.0%}"
+    return f"{what}{where}{amount}{since or ' beside its siblings, in all its logs'}"
 
 
 def record(claim: Claim) -> str:

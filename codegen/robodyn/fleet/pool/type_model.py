@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -55,53 +55,42 @@ class TypeModel:
         return np.flatnonzero(self.unit == unit)
 
 
-def type_model(arm: ArmType, logs: Sequence[LogFile], digests: Mapping[str, Digest]) -> TypeModel:
-    """The model of a type from the ``digests`` of its ``logs`` (by source; sorted by unit and date)."""
+def type_model(arm: ArmType, logs: Sequence[LogFile], digest_of: Callable[[str], Digest]) -> TypeModel:
+    """The model of a type from the digests of its ``logs``, which are sorted by unit and date."""
     robot = read_text(arm.text, arm.spec, warn=lambda _: None)
+    features = watched(robot)
     units = tuple(dict.fromkeys(log.unit for log in logs))
-    places = {name: k for k, name in enumerate(units)}
-    unit = np.array([places[log.unit] for log in logs])
+    _, unit = np.unique([log.unit for log in logs], return_inverse=True)  # they are sorted
 
     def digest(k: int) -> Digest:
-        return digests[logs[k].source]
+        return digest_of(logs[k].source)
 
-    heads = [
-        (one.bursts, one.struck, one.speed, one.period, one.conditions)
-        for one in map(digest, range(len(logs)))
-    ]
-    bursts, struck, speed, period, own = zip(*heads, strict=True)
+    bursts, struck, speed, period, own = zip(
+        *(
+            (one.bursts, one.struck, one.speed, one.period, one.conditions)
+            for one in map(digest, range(len(logs)))
+        ),
+        strict=True,
+    )
     clock = np.array(period) / float(np.median(period))
     wrong = is_clock_wrong(clock)
     program = programs_of(unit, digest)
     numbers = numbers_of(robot, unit, ~wrong, digest)
-    features = watched(robot)
     readings = readings_of(features, numbers, np.array(bursts), np.array(struck))
     readings.value[wrong] = np.nan
     names, conditions = _conditions([{**log.conditions, **one} for log, one in zip(logs, own, strict=True)])
     pace = np.where(numbers.worth > 0, np.log(np.maximum(np.array(speed), 1e-9)), np.nan)
     pace = np.nan_to_num(pace - known_median(pace), nan=0.0)
+    pace = np.column_stack([pace.mean(axis=1), pace])  # of the whole arm, then of each joint
     group = unit * (int(program.max()) + 1) + program
     population = tuple(
-        population_of(
-            readings.value[:, c], readings.stderr[:, c], unit, group,
-            np.column_stack([conditions, pace.mean(axis=1) if one.joint is None else pace[:, one.joint - 1]]),
-        )
-        for c, one in enumerate(features)
-    )  # fmt: skip
-    return TypeModel(
-        arm.name,
-        robot,
-        features,
-        tuple(logs),
-        units,
-        unit,
-        program,
-        clock,
-        numbers,
-        readings,
-        names,
-        population,
+        population_of(value, stderr, unit, group, np.column_stack([conditions, pace[:, one.joint or 0]]))
+        for one, value, stderr in zip(features, readings.value.T, readings.stderr.T, strict=True)
     )
+    return TypeModel(
+        arm.name, robot, features, tuple(logs), units, unit, program, clock, numbers, readings, names,
+        population,
+    )  # fmt: skip
 
 
 def is_clock_wrong(clock: Floats) -> NDArray[np.bool_]:
