@@ -124,8 +124,9 @@ def dynamics(
 
 
 def without_friction(robot: Robot) -> Robot:
-    none = {"viscous": Fraction(0), "coulomb": Fraction(0)}
-    return replace(robot, links=tuple(replace(x, joint=replace(x.joint, **none)) for x in robot.links))
+    smooth = (replace(x.joint, viscous=Fraction(0), coulomb=Fraction(0)) for x in robot.links)
+    links = (replace(link, joint=joint) for link, joint in zip(robot.links, smooth, strict=True))
+    return replace(robot, links=tuple(links))
 
 
 def random_frame(rng: random.Random) -> Placement | None:
