@@ -121,7 +121,7 @@ def test_the_stack_of_a_kernel(tmp_path: Path) -> None:
     made = subject(PUMA, PUMA, Options(functions=("gravity",), scalar="float"))
     calls_libm = finding(stack.prove_stack, made, tmp_path / "libm")
     assert calls_libm.status == "failed"
-    assert "cosf, sinf" in calls_libm.lines[0]
+    assert any(names in calls_libm.lines[0] for names in ("sincosf", "cosf, sinf"))  # glibc's, or C99's
 
 
 def test_machines_without_a_compiler_have_rows_like_the_others(

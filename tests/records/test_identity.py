@@ -12,7 +12,17 @@ from records.made import TOOL, arm, bundled
 from robodyn.optimize.records import bundled_records, identity, parse_record
 from robodyn.optimize.records.record import function_key, header
 from robodyn.robot import Robot
-from robodyn.robot.model import Comparison, EffectEntry, Gear, Inertia, Joint, Limits, Link, Placement
+from robodyn.robot.model import (
+    Comparison,
+    Covariance,
+    EffectEntry,
+    Gear,
+    Inertia,
+    Joint,
+    Limits,
+    Link,
+    Placement,
+)
 from robodyn.robot.values import Affine, angle, parameter, quarter_turns
 
 BASE = arm(TOOL)
@@ -38,6 +48,7 @@ CHANGED: dict[tuple[type, str], tuple[Robot, bool]] = {
     (Robot, "name"): (replace(BASE, name="other"), False),
     (Robot, "title"): (replace(BASE, title="other"), False),
     (Robot, "source"): (replace(BASE, source="other"), False),
+    (Robot, "covariance"): (replace(BASE, covariance=Covariance("identify.json")), False),
     (Robot, "compare"): (replace(BASE, compare=Comparison("2.10", "puma_6")), False),
     (Robot, "links"): (replace(BASE, links=BASE.links[:2]), True),
     (Robot, "gravity"): (replace(BASE, gravity=(SMALL, BASE.gravity[1], BASE.gravity[2])), True),
