@@ -12,8 +12,10 @@ from threadpoolctl import threadpool_info, threadpool_limits
 
 from cluster.functions import picky, square
 from robodyn.cluster import Done, Failed, open_cluster
-from robodyn.cluster.work import ONE_THREAD, WrongWorker, likeness, outcome, work
+from robodyn.cluster.opening import compare
+from robodyn.cluster.work import ONE_THREAD, WrongWorker, likeness, outcome, work, worker_likeness
 from robodyn.errors import InputError, ToolError
+from robodyn.toolchain.sources import own_key
 
 
 @pytest.mark.parametrize(
@@ -95,15 +97,29 @@ def raises_odd() -> None:
 
 
 def test_an_exception_that_cannot_be_sent_is_sent_as_its_words() -> None:
-    failed = outcome(raises_odd, ())
-    assert isinstance(failed, Failed)
-    assert (type(failed.error), str(failed.error)) == (ToolError, "Odd: 1 and 2")
+    done, error = outcome(raises_odd, ())
+    assert not done
+    assert (type(error), str(error)) == (ToolError, "Odd: 1 and 2")
 
 
-@pytest.mark.parametrize("name", ["robodyn", "Python", "numpy", "scipy", "threads of linear algebra"])
-def test_a_process_that_is_not_like_this_one_does_not_work(name: str) -> None:
-    assert work(likeness(), square, (3,)) == Done(9)
-    remedy = "OMP_NUM_THREADS=1" if name[0] == "t" else "install the same there"
-    message = rf"is not like this process.*found {name} \S.*; expected {name} 0\.1; .*{remedy}"
-    with pytest.raises(WrongWorker, match=message):
-        work({**likeness(), name: "0.1"}, square, (3,))
+def test_another_robodyn_does_not_work() -> None:
+    assert work(own_key(), square, (3,)) == (True, 9)
+    with pytest.raises(WrongWorker, match=r"has another robodyn; found .*; expected the sources 01234567"):
+        work("0123456789", square, (3,))
+
+
+@pytest.mark.parametrize("name", ["robodyn", "Python", "numpy", "distributed"])
+def test_other_versions_are_refused(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    for variable in ONE_THREAD:
+        monkeypatch.setenv(variable, "1")
+    compare("the worker tcp://a:1", worker_likeness())
+    theirs = {**likeness(), name: "0.1"}
+    with pytest.raises(WrongWorker, match=rf"the worker tcp://a:1 has other versions.*found {name} 0\.1;"):
+        compare("the worker tcp://a:1", theirs)
+    for threads in ({"OMP_NUM_THREADS": "4"}, {}):
+        for variable in ONE_THREAD:
+            monkeypatch.delenv(variable, raising=False)
+        for variable, value in threads.items():
+            monkeypatch.setenv(variable, value)
+        with pytest.raises(WrongWorker, match="more threads than one; start it with OMP_NUM_THREADS=1"):
+            compare("a worker", worker_likeness())

@@ -6,7 +6,21 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from robodyn.cluster.work import Done, Failed, outcome
+from robodyn.cluster.work import outcome
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """A piece of work has come to ``value``."""
+
+    value: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """A piece of work has come to nothing: ``error`` is what its function raised, or why it was given up."""
+
+    error: Exception
 
 
 class Cluster(Protocol):
@@ -43,7 +57,8 @@ class ThisProcess:
     ) -> Iterator[tuple[Any, Done | Failed]]:
         """As of :class:`Cluster`, in the order of the tasks."""
         for key, arguments in tasks:
-            yield key, outcome(function, arguments)
+            done, value = outcome(function, arguments)
+            yield key, Done(value) if done else Failed(value)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,21 +7,19 @@ import re
 import signal
 import ssl
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, closing, contextmanager
-from functools import partial
 from tempfile import TemporaryDirectory
 from typing import Any, Final
 
 from robodyn.cluster.cluster import Cluster, Security, ThisProcess
 from robodyn.cluster.limits import CONNECT, DEATHS, MEMORY, MOST_PROCESSES
-from robodyn.cluster.scheduler import Scheduler, no_answer, no_worker
-from robodyn.cluster.work import ONE_THREAD, one_thread
+from robodyn.cluster.scheduler import Scheduler, no_answer, no_worker, not_there
+from robodyn.cluster.work import ONE_THREAD, WrongWorker, likeness, one_thread, worker_likeness
 from robodyn.errors import InputError, ToolError
 from robodyn.toolchain.program import cores
 from robodyn.tools.libraries import CRYPTOGRAPHY, DISTRIBUTED
 
-_LOCAL: Final = "Dask's scheduler"
 #: [-] The last port that TCP has.
 _LAST_PORT: Final = 65535
 _EXPECTED: Final = f"here, local, local:N (N up to {MOST_PROCESSES}) or dask://HOST:PORT (up to {_LAST_PORT})"
@@ -52,7 +50,7 @@ def open_cluster(on: str, *, security: Security | None = None) -> Iterator[Clust
     Raises
     ------
     InputError: ``on`` is none of these, or a file of ``security`` cannot be used.
-    ToolError: Dask is not installed, or the scheduler does not answer or has no workers.
+    ToolError: Dask is not installed, the scheduler does not answer, or its workers are not like this process.
     """
     check_place(on)
     place, _, rest = on.partition(":")
@@ -60,18 +58,10 @@ def open_cluster(on: str, *, security: Security | None = None) -> Iterator[Clust
         stack.enter_context(one_thread())
         if on == "here":
             yield ThisProcess()
-            return
-        DISTRIBUTED.load(otherwise="take --on here")
-        stack.enter_context(quiet())
-        if place == "local":
-            processes = stack.enter_context(_local_processes(int(rest) if rest else cores()))
-            connect, name = partial(_client, processes, None, _LOCAL), _LOCAL
+        elif place == "local":
+            yield stack.enter_context(local_processes(int(rest) if rest else cores()))
         else:
-            address, name = on.removeprefix("dask://"), f"the scheduler {on}"
-            keys = _keys(security)
-            scheme = "tls" if keys.require_encryption or keys.tls_client_cert else "tcp"
-            connect = partial(_client, f"{scheme}://{address}", keys, name)
-        yield stack.enter_context(closing(Scheduler(connect, name)))
+            yield stack.enter_context(scheduler_at(on.removeprefix("dask://"), security))
 
 
 # --- processes of this machine ----------------------------------------------------------------------------
@@ -94,7 +84,7 @@ _CONFIG: Final = {
 
 
 @contextmanager
-def _local_processes(count: int) -> Iterator[Any]:
+def local_processes(count: int) -> Iterator[Scheduler]:
     """``count`` processes of this machine.
 
     They take work from this process only where ``cryptography`` is installed; where it is not, other users
@@ -102,13 +92,15 @@ def _local_processes(count: int) -> Iterator[Any]:
 
     Raises
     ------
-    ToolError: they cannot be started.
+    ToolError: Dask is not installed, or they cannot be started.
     """
+    DISTRIBUTED.load(otherwise="take --on here")
     import dask
-    from distributed import LocalCluster, Security
+    from distributed import Client, LocalCluster, Security
     from distributed.system import MEMORY_LIMIT
 
     with ExitStack() as stack:
+        stack.enter_context(quiet())
         stack.enter_context(dask.config.set(_CONFIG))
         folder = stack.enter_context(TemporaryDirectory(prefix="robodyn-", ignore_cleanup_errors=True))
         try:
@@ -126,7 +118,10 @@ def _local_processes(count: int) -> Iterator[Any]:
         except (OSError, RuntimeError) as error:
             raise ToolError("processes cannot be started", found=str(error)) from None
         stack.callback(processes.close, timeout=CONNECT)
-        yield processes
+        scheduler = Scheduler(
+            lambda: Client(processes, set_as_default=False, timeout=CONNECT), "Dask's scheduler"
+        )
+        yield stack.enter_context(closing(scheduler))
 
 
 @contextmanager
@@ -163,6 +158,25 @@ def _deaf_to_interrupts() -> Iterator[None]:
 # --- a scheduler that others have started -----------------------------------------------------------------
 
 
+@contextmanager
+def scheduler_at(address: str, security: Security | None) -> Iterator[Scheduler]:
+    """The scheduler at ``address`` (HOST:PORT), asked through TLS where ``security`` or Dask's configuration
+    has certificates.
+
+    Raises
+    ------
+    InputError: a certificate cannot be used.
+    ToolError: Dask is not installed, the scheduler does not answer or has no workers, or they are not like
+        this process.
+    """
+    DISTRIBUTED.load(otherwise="take --on here")
+    name = f"the scheduler dask://{address}"
+    keys = _keys(security)
+    scheme = "tls" if keys.require_encryption or keys.tls_client_cert else "tcp"
+    with quiet(), closing(Scheduler(lambda: _client(f"{scheme}://{address}", keys, name), name)) as scheduler:
+        yield scheduler
+
+
 def _keys(security: Security | None) -> Any:
     """``security`` as Dask has it.
 
@@ -172,11 +186,15 @@ def _keys(security: Security | None) -> Any:
     """
     import distributed
 
-    stated: dict[str, Any] = {}
-    if security is not None:
-        stated = {"tls_ca_file": security.authority, "tls_client_cert": security.certificate}
-        stated |= {"tls_client_key": security.key or None, "require_encryption": True}
-    keys = distributed.Security(**stated)
+    if security is None:
+        keys = distributed.Security()
+    else:
+        keys = distributed.Security(
+            require_encryption=True,
+            tls_ca_file=security.authority,
+            tls_client_cert=security.certificate,
+            tls_client_key=security.key or None,
+        )
     try:
         keys.get_connection_args("client")
     except (OSError, ssl.SSLError) as error:
@@ -189,25 +207,57 @@ def _keys(security: Security | None) -> Any:
     return keys
 
 
-def _client(scheduler: Any, keys: Any, name: str) -> Any:
-    """A client of a ``scheduler`` (or its address), which has workers.
+def _client(address: str, keys: Any, name: str) -> Any:
+    """A client of the scheduler at ``address``, whose workers are like this process.
 
     Raises
     ------
-    ToolError: it does not answer, or has no workers.
+    ToolError: see :func:`scheduler_at`.
     """
     from distributed import Client
 
-    stated = {} if keys is None else {"security": keys}
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # other versions: pieces of work look at what matters of them
-            client = Client(scheduler, set_as_default=False, timeout=CONNECT, **stated)
+            warnings.simplefilter("ignore")  # other versions: an error of ours, below
+            client = Client(address, security=keys, set_as_default=False, timeout=CONNECT)
     except (OSError, TimeoutError):
         raise no_answer(name, CONNECT) from None
-    try:
-        client.wait_for_workers(1, timeout=CONNECT)
-    except TimeoutError:
-        client.close(timeout=CONNECT)
-        raise no_worker(name, CONNECT) from None
+    except ImportError as error:
+        raise not_there(error) from None
+    with ExitStack() as stack:
+        stack.callback(client.close, timeout=CONNECT)
+        try:
+            client.wait_for_workers(1, timeout=CONNECT)
+        except TimeoutError:
+            raise no_worker(name, CONNECT) from None
+        try:
+            compare("the scheduler", client.run_on_scheduler(likeness))
+            for worker, theirs in client.run(worker_likeness).items():
+                compare(f"the worker {worker}", theirs)
+        except ImportError as error:
+            raise not_there(error) from None
+        stack.pop_all()
     return client
+
+
+def compare(who: str, theirs: Mapping[str, str]) -> None:
+    """Hold a process to be like this one.
+
+    Raises
+    ------
+    WrongWorker: it is not.
+    """
+    ours = {**likeness(), "threads": "1"}
+    differ = [name for name in theirs if theirs[name] != ours[name]]
+    if "threads" in differ:
+        raise WrongWorker(
+            f"linear algebra of {who} uses more threads than one",
+            remedy="start it with OMP_NUM_THREADS=1, or as dask worker does, with its nanny",
+        )
+    if differ:
+        raise WrongWorker(
+            f"{who} has other versions: numbers could differ",
+            found=", ".join(f"{name} {theirs[name]}" for name in differ),
+            expected=", ".join(f"{name} {ours[name]}" for name in differ),
+            remedy="install the same there",
+        )

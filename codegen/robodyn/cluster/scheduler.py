@@ -6,25 +6,22 @@ from __future__ import annotations
 import logging
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from queue import Empty, SimpleQueue
 from time import monotonic, sleep
-from typing import Any, Final
+from typing import Any
 
+from robodyn.cluster.cluster import Done, Failed
 from robodyn.cluster.limits import AHEAD, ATTEMPTS, CONNECT, COUNT, DEATHS, POLL, RECONNECT
-from robodyn.cluster.work import Done, Failed, WrongWorker, likeness, work
+from robodyn.cluster.work import WrongWorker, work
 from robodyn.errors import ToolError
+from robodyn.toolchain.sources import own_key
 
 _log = logging.getLogger("robodyn.cluster")
-_LOST: Final = ToolError(
+_LOST = ToolError(
     "no result came back",
     found=f"{ATTEMPTS} times, schedulers or workers went before it was fetched",
     remedy="look at the messages of the workers, and run it again",
-)
-_DEADLY: Final = ToolError(
-    "the process that works on it ends, time and again",
-    found=f"{2 * (DEATHS + 1)} processes lost",
-    remedy="give workers more memory, or look at their messages for what ends them",
 )
 
 
@@ -39,6 +36,28 @@ class _Piece:
     alone: bool = False
 
 
+@dataclass(slots=True)
+class _Pieces:
+    """The pieces of one call: those that ``wait``, those for when nothing else is under way (``suspects``:
+    one of them may have ended the processes that were lost), those ``under_way`` by the key of their future,
+    and the futures that have ``ended``."""
+
+    wait: Iterator[_Piece]
+    again: deque[_Piece] = field(default_factory=deque)
+    suspects: deque[_Piece] = field(default_factory=deque)
+    under_way: dict[str, tuple[Any, _Piece]] = field(default_factory=dict)
+    ended: SimpleQueue[Any] = field(default_factory=SimpleQueue)
+
+    def next(self) -> _Piece | None:
+        """The piece to submit next, if it is time for one."""
+        if self.again:
+            return self.again.popleft()
+        piece = next(self.wait, None)
+        if piece is None and self.suspects and not self.under_way:
+            return replace(self.suspects.popleft(), alone=True, attempts=0)
+        return piece
+
+
 class Scheduler:
     """A :class:`~robodyn.cluster.cluster.Cluster`: what ``connect`` reaches, a scheduler with workers.
 
@@ -49,7 +68,8 @@ class Scheduler:
     def __init__(self, connect: Callable[[], Any], name: str) -> None:
         self._connect, self._name = connect, name
         self._client = connect()
-        self._counted = self._peopled = monotonic()
+        self._counted = monotonic()
+        self._deserted: float | None = None
         self.count = len(self._client.nthreads())
 
     def close(self) -> None:
@@ -60,55 +80,44 @@ class Scheduler:
         self, function: Callable[..., Any], tasks: Iterable[tuple[Any, tuple[Any, ...]]]
     ) -> Iterator[tuple[Any, Done | Failed]]:
         """As of :class:`~robodyn.cluster.cluster.Cluster`."""
-        waiting = (_Piece(key, arguments) for key, arguments in tasks)
-        again, suspects = deque[_Piece](), deque[_Piece]()  # these for when nothing else is under way
-        under_way: dict[str, tuple[Any, _Piece]] = {}
-        ended = SimpleQueue[Any]()
+        pieces = _Pieces(_Piece(key, arguments) for key, arguments in tasks)
         try:
             while True:
-                while len(under_way) < AHEAD * max(self.count, 1):
-                    piece = again.popleft() if again else next(waiting, None)
-                    if piece is None and suspects and not under_way:
-                        piece = replace(suspects.popleft(), alone=True, attempts=0)
-                    if piece is None:
-                        break
+                while len(pieces.under_way) < AHEAD * max(self.count, 1) and (piece := pieces.next()):
                     if piece.attempts == ATTEMPTS:
                         yield piece.key, Failed(_LOST)
-                        continue
-                    future = self._submit(function, piece)
-                    under_way[future.key] = future, replace(piece, attempts=piece.attempts + 1)
-                    future.add_done_callback(ended.put)
-                if not under_way:
+                    else:
+                        self._submit(function, piece, pieces)
+                if not pieces.under_way:
                     return
                 try:
-                    future = ended.get(timeout=POLL)
+                    future = pieces.ended.get(timeout=POLL)
                 except Empty:
-                    future = None
-                if future is not None and future.key in under_way:
-                    _, piece = under_way.pop(future.key)
-                    result = self._result(future, piece, again, suspects)
+                    self._look(pieces)
+                    continue
+                _, piece = pieces.under_way.pop(future.key, (None, None))
+                if piece is not None:
+                    result = self._result(future, piece, pieces)
                     if result is not None:
                         yield piece.key, result
-                self._look()
-                # What was under way when a scheduler went comes back as cancelled, or never.
-                lost = [key for key, (one, _) in under_way.items() if one.status in ("lost", "cancelled")]
-                again.extend(under_way.pop(key)[1] for key in lost)
+                if monotonic() - self._counted > COUNT:
+                    self._look(pieces)
         finally:
-            futures = [future for future, _ in under_way.values()]
+            futures = [future for future, _ in pieces.under_way.values()]
             if futures and self._client.status == "running":
                 self._client.cancel(futures, force=True)
 
-    def _submit(self, function: Callable[..., Any], piece: _Piece) -> Any:
+    def _submit(self, function: Callable[..., Any], piece: _Piece, pieces: _Pieces) -> None:
         """Have the scheduler hand ``piece`` to a worker."""
         try:
-            return self._client.submit(work, likeness(), function, piece.arguments, pure=False)
+            future = self._client.submit(work, own_key(), function, piece.arguments, pure=False)
         except (OSError, RuntimeError):  # the connection is just being lost
-            self._look()
-            return self._client.submit(work, likeness(), function, piece.arguments, pure=False)
+            self._reach()
+            future = self._client.submit(work, own_key(), function, piece.arguments, pure=False)
+        pieces.under_way[future.key] = future, replace(piece, attempts=piece.attempts + 1)
+        future.add_done_callback(pieces.ended.put)
 
-    def _result(
-        self, future: Any, piece: _Piece, again: deque[_Piece], suspects: deque[_Piece]
-    ) -> Done | Failed | None:
+    def _result(self, future: Any, piece: _Piece, pieces: _Pieces) -> Done | Failed | None:
         """What a ``piece`` has come to; None: to nothing, and it will be tried again.
 
         Raises
@@ -119,38 +128,68 @@ class Scheduler:
         from distributed.scheduler import KilledWorker
 
         try:
-            result: Done | Failed = future.result(timeout=RECONNECT)
-        except KilledWorker:
-            if piece.alone:
-                return Failed(_DEADLY)
-            suspects.append(piece)
-            return None
+            done, value = future.result(timeout=RECONNECT)
+        except KilledWorker as error:
+            if not piece.alone:
+                pieces.suspects.append(piece)
+                return None
+            return Failed(_deadly(error.args[1]))
         except (CancelledError, TimeoutError, OSError):
-            again.append(piece)
+            pieces.again.append(piece)
+            self._reach()
             return None
         except ImportError as error:
-            raise WrongWorker(
-                "a worker cannot import what it needs",
-                found=str(error),
-                remedy="install the same robodyn, with the extra fleet, wherever one runs",
-            ) from None
-        return result
+            raise not_there(error) from None
+        return Done(value) if done else Failed(value)
 
-    def _look(self) -> None:
-        """Wait until the scheduler answers (the client tries for a while, then others do), and see how many
-        workers it has.
+    def _look(self, pieces: _Pieces) -> None:
+        """See whether the scheduler and its workers are there.
+
+        What was under way when the scheduler went comes back as cancelled, or never: then it is submitted
+        again here.
 
         Raises
         ------
-        ToolError: there is none of them within :data:`~robodyn.cluster.limits.RECONNECT`.
+        ToolError: not within :data:`~robodyn.cluster.limits.RECONNECT`.
         """
-        end, waiting = monotonic() + RECONNECT, "%s %s: waiting for it, at most %.0f s"
         if self._client.status != "running":
-            _log.warning(waiting, self._name, "does not answer", RECONNECT)
+            self._reach()
+        lost = [
+            key for key, (future, _) in pieces.under_way.items() if future.status in ("lost", "cancelled")
+        ]
+        pieces.again.extend(pieces.under_way.pop(key)[1] for key in lost)
+        now = monotonic()
+        if now - self._counted < COUNT:
+            return
+        try:
+            self.count = len(self._client.nthreads())
+        except OSError:  # it is just going: seen to at the next look
+            return
+        self._counted = now
+        if self.count:
+            self._deserted = None
+        elif self._deserted is None:
+            self._deserted = now
+            _log.warning("%s has no worker: waiting for one, at most %.0f s", self._name, RECONNECT)
+        elif now - self._deserted > RECONNECT:
+            raise no_worker(self._name, RECONNECT)
+
+    def _reach(self) -> None:
+        """Wait until the scheduler answers again: the client tries for a while, then others do.
+
+        Raises
+        ------
+        ToolError: not within :data:`~robodyn.cluster.limits.RECONNECT`.
+        """
+        end = monotonic() + RECONNECT
+        if self._client.status != "running":
+            _log.warning("%s does not answer: waiting for it, at most %.0f s", self._name, RECONNECT)
         while self._client.status != "running":
             if self._client.status in ("closed", "closing"):
                 try:
                     self._client = self._connect()
+                except WrongWorker:
+                    raise
                 except ToolError:
                     if monotonic() > end:
                         raise
@@ -158,20 +197,15 @@ class Scheduler:
                 raise no_answer(self._name, RECONNECT)
             else:
                 sleep(POLL)
-        now = monotonic()
-        if now - self._counted < COUNT:
-            return
-        try:
-            before, self.count = self.count, len(self._client.nthreads())
-        except OSError:  # it is just going: seen to at the next look
-            return
-        self._counted = now
-        if self.count:
-            self._peopled = now
-        elif before:
-            _log.warning(waiting, self._name, "has no worker", RECONNECT)
-        elif now - self._peopled > RECONNECT:
-            raise no_worker(self._name, RECONNECT)
+
+
+def _deadly(worker: Any) -> ToolError:
+    """What to say of a piece with which processes end."""
+    return ToolError(
+        "the process that works on it ends, time and again",
+        found=f"{2 * (DEATHS + 1)} processes lost, the last at {getattr(worker, 'address', worker)}",
+        remedy="give workers more memory, or look at their messages for what ends them",
+    )
 
 
 def no_answer(name: str, seconds: float) -> ToolError:
@@ -189,4 +223,13 @@ def no_worker(name: str, seconds: float) -> ToolError:
         f"{name} has no worker",
         expected=f"one within {seconds:g} s",
         remedy="start some: dask worker HOST:PORT --nworkers 4 --nthreads 1",
+    )
+
+
+def not_there(error: ImportError) -> WrongWorker:
+    """The error where a worker, or the scheduler, lacks a package."""
+    return WrongWorker(
+        "the scheduler or a worker cannot import what it needs",
+        found=str(error),
+        remedy="install the same robodyn, with the extra fleet, wherever one runs",
     )

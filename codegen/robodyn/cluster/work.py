@@ -7,9 +7,8 @@ import pickle
 import socket
 import sys
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Any, Final
 
 from robodyn.errors import ToolError
@@ -19,23 +18,9 @@ from robodyn.version import VERSION
 #: How many threads the libraries of linear algebra use. With one, sums do not depend on how many there are,
 #: and as many processes as cores do not get in each other's way.
 ONE_THREAD: Final = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
-_THREADS: Final = "threads of linear algebra"
+
 #: A worker of Dask's may have several threads; numbers are not promised to be the same with them.
 _ONE_AT_A_TIME: Final = threading.Lock()
-
-
-@dataclass(frozen=True, slots=True)
-class Done:
-    """A piece of work has come to ``value``."""
-
-    value: Any
-
-
-@dataclass(frozen=True, slots=True)
-class Failed:
-    """A piece of work has come to nothing: ``error`` is what its function raised, or why it was given up."""
-
-    error: Exception
 
 
 class WrongWorker(ToolError):
@@ -62,48 +47,47 @@ def one_thread() -> Iterator[None]:
 
 def likeness() -> dict[str, str]:
     """By what a process must be like another to come to the same numbers, by its name."""
-    import numpy
-    import scipy
+    from importlib.metadata import PackageNotFoundError, version
 
-    threads = os.environ.get("OPENBLAS_NUM_THREADS", os.environ.get("OMP_NUM_THREADS", "any"))
-    return {
-        "robodyn": f"{VERSION} ({own_key()[:8]})",
-        "Python": "{}.{}".format(*sys.version_info),
-        "numpy": numpy.__version__,
-        "scipy": scipy.__version__,
-        _THREADS: threads,
-    }
+    versions = {"robodyn": f"{VERSION} ({own_key()[:8]})", "Python": "{}.{}".format(*sys.version_info)}
+    for package in ("numpy", "scipy", "distributed"):
+        try:
+            versions[package] = version(package)
+        except PackageNotFoundError:
+            versions[package] = "none"
+    return versions
 
 
-def work(ours: Mapping[str, str], function: Callable[..., Any], arguments: tuple[Any, ...]) -> Done | Failed:
-    """:func:`outcome`, in a process that has the :func:`likeness` of the one that asks.
+def worker_likeness() -> dict[str, str]:
+    """:func:`likeness` of a process that works, with the ``threads`` of its linear algebra."""
+    threads = [os.environ[name] for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS") if name in os.environ]
+    return {**likeness(), "threads": threads[0] if threads else "any"}
+
+
+def work(key: str, function: Callable[..., Any], arguments: tuple[Any, ...]) -> tuple[bool, Any]:
+    """:func:`outcome`, in a process whose robodyn has the ``key`` of the one that asks.
 
     Raises
     ------
-    WrongWorker: it is another.
+    WrongWorker: it is another robodyn.
     """
-    theirs = likeness()
-    differ = [name for name in ours if theirs.get(name) != ours[name]]
-    if differ:
-        remedy = "install the same there, and start the worker again"
-        if differ == [_THREADS]:
-            remedy = "start it with OMP_NUM_THREADS=1, or as dask worker does, with its nanny"
+    if key != own_key():
         raise WrongWorker(
-            f"a worker on {socket.gethostname()} is not like this process: numbers could differ",
-            found=", ".join(f"{name} {theirs.get(name)}" for name in differ),
-            expected=", ".join(f"{name} {ours[name]}" for name in differ),
-            remedy=remedy,
+            f"a worker on {socket.gethostname()} has another robodyn",
+            found=f"{VERSION} ({own_key()[:8]})",
+            expected=f"the sources {key[:8]} of the robodyn that asks",
+            remedy="install the same there, and start the worker again",
         )
     with _ONE_AT_A_TIME:
         return outcome(function, arguments)
 
 
-def outcome(function: Callable[..., Any], arguments: tuple[Any, ...]) -> Done | Failed:
-    """What ``function`` of the ``arguments`` comes to, or what it raises."""
+def outcome(function: Callable[..., Any], arguments: tuple[Any, ...]) -> tuple[bool, Any]:
+    """True and what ``function`` of the ``arguments`` comes to, or False and what it raises."""
     try:
-        return Done(function(*arguments))
+        return True, function(*arguments)
     except Exception as error:
-        return Failed(_portable(error))
+        return False, _portable(error)
 
 
 def _portable(error: Exception) -> Exception:
