@@ -99,6 +99,9 @@ def _hide(options: dict[str, Any]) -> None:
     spare_inputs([folder / name for name in ("train.csv", "validate.csv")], options["trajectories"])
     blind = _blind(options)
     files = blind.files()
+    known, description = blind.model.covariance, blind.model.file
+    if known and description:
+        spare_inputs([folder / known.file], [str(description.with_name(known.file))])
     write_files(folder, files)
     count, robot, at = len(blind.effects), blind.model.name, printable(folder)
     what = "nothing is" if not count else "1 effect is" if count == 1 else f"{count} effects are"

@@ -10,6 +10,10 @@ from benchmarks.blind_arms.arms import bare, rubbing
 
 from identify.exact import log_of
 from robodyn.diagnose.run import diagnose
+from robodyn.diagnose.select.baseline import with_baseline
+from robodyn.diagnose.select.members import Fit
+from robodyn.diagnose.select.score import Trial
+from robodyn.diagnose.select.steps import Steps
 from robodyn.robot.model import Robot
 
 
@@ -35,3 +39,26 @@ def test_what_every_joint_lacks_is_named_and_no_coupling_in_its_place() -> None:
         after < 1.3 * noise
         for after, noise in zip(found.gap.validate_after, found.gap.noise_floor, strict=True)
     )
+
+
+def test_a_baseline_that_is_not_worth_it_leaves_the_search_as_it_was(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One joint rubs: friction and rotors of all are no better than that of one, and what is banned stays."""
+    arm = bare("puma560_3dof")
+    first, *others = arm.links
+    links = (replace(first, joint=replace(first.joint, coulomb=Fraction(3))), *others)
+    log = log_of(replace(arm, links=links), noise=0.02)
+    calls = []
+
+    def watched(search: Steps, fit: Fit, best: Trial | None) -> Fit | None:
+        search.banned.add(("payload", None))
+        before = search.rows, search.dry.tolist(), search.families, set(search.banned)
+        base = with_baseline(search, fit, best)
+        calls.append(base)
+        assert (search.rows, search.dry.tolist(), search.families, search.banned) == before
+        return base
+
+    monkeypatch.setattr("robodyn.diagnose.select.search.with_baseline", watched)
+    found = diagnose(arm, [log])
+    assert calls
+    assert set(calls) == {None}
+    assert [(f.effect, f.joint) for f in found.findings if f.confidence >= 0.5] == [("coulomb_friction", 1)]

@@ -12,11 +12,14 @@ import numpy as np
 import pytest
 
 from identify.exact import log_of
+from robodyn.diagnose.blind.hide import Setup, hide
 from robodyn.diagnose.run import diagnose
 from robodyn.errors import InputError
+from robodyn.fleet.sources.fleet import arm_type
 from robodyn.formats.loading import load
-from robodyn.identify.known import numbers, spread_of
+from robodyn.identify.known import numbers, spread_of, with_covariance_of, with_covariance_read
 from robodyn.identify.run import Identification, identify
+from robodyn.robot import read_text
 from robodyn.robot.model import EffectEntry, Robot
 
 _NOISE = 0.05
@@ -53,7 +56,7 @@ def shares(robot: Robot) -> np.ndarray:
 def test_the_covariance_is_in_the_file_beside_the_description(tmp_path: Path) -> None:
     arm = written(tmp_path)
     assert arm == outcome().model
-    there, here = (spread_of(one, shares(arm)) for one in (arm, outcome().model))
+    there, here = (spread_of(with_covariance_read(one), shares(arm)) for one in (arm, outcome().model))
     assert there is not None
     assert here is not None
     np.testing.assert_array_equal(there, here)
@@ -93,6 +96,9 @@ def test_an_arm_that_was_not_identified_has_none() -> None:
         ('{"covariance": {"values": [1], "root": [[NaN]]}}', "does not say how sure"),
         ('{"covariance": {"values": [1], "root": [[1]]}}', "of another arm"),
         ("[" * 100_000, "does not say how sure"),
+        (f'{{"covariance": {{"values": {[0] * 33}, "root": [{[1e300] * 33}]}}}}', "does not say how sure"),
+        (f'{{"covariance": {{"values": [{"9" * 400}], "root": [[1]]}}}}', "does not say how sure"),
+        (f'{{"covariance": {{"values": {[0] * 33}, "root": {[[0] * 33] * 34}}}}}', "of another arm"),
     ],
 )
 def test_a_file_that_does_not_say_it_is_refused(tmp_path: Path, text: str | None, words: str) -> None:
@@ -101,9 +107,35 @@ def test_a_file_that_does_not_say_it_is_refused(tmp_path: Path, text: str | None
     if text is not None:
         (tmp_path / "identify.json").write_text(text)
     with pytest.raises(InputError, match=words) as caught:
-        spread_of(arm, shares(arm))
+        with_covariance_read(arm)
     assert caught.value.where is not None
     assert caught.value.where.file.endswith("identify.json")
+
+
+def test_a_description_without_a_path_has_no_file_beside_it(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="stands in a file beside its description"):
+        with_covariance_read(replace(written(tmp_path), file=None))
+
+
+def test_a_blind_test_of_an_identified_arm_can_be_diagnosed(tmp_path: Path) -> None:
+    setup = Setup(duration=2.0, rate=200.0)
+    blind = hide(written(tmp_path), setup=setup, text=outcome().model_text)
+    (tmp_path / "blind").mkdir()
+    for name, content in blind.files().items():
+        if not name.endswith(".csv"):
+            data = content.encode() if isinstance(content, str) else content
+            (tmp_path / "blind" / name).write_bytes(data)
+    given = with_covariance_read(load(tmp_path / "blind/given.yaml"))
+    np.testing.assert_array_equal(spread_of(given, shares(given)), spread_of(outcome().model, shares(given)))
+
+
+def test_a_fleet_of_identified_arms_hands_their_covariance_on(tmp_path: Path) -> None:
+    written(tmp_path)
+    arm = arm_type("puma", str(tmp_path / "arm.yaml"), None)
+    assert arm.covariance is not None
+    (tmp_path / "identify.json").unlink()
+    there = with_covariance_of(read_text(arm.text), arm.covariance, "puma")
+    np.testing.assert_array_equal(spread_of(there, shares(there)), spread_of(outcome().model, shares(there)))
 
 
 @pytest.mark.parametrize("name", ["../identify.json", "/etc/x.json", "identify.txt", "-.json"])

@@ -39,6 +39,7 @@ from robodyn.effects.catalogue import CATALOGUE
 from robodyn.errors import InputError
 from robodyn.formats.loading import robot_of, text_of
 from robodyn.gate.gate import Gate, inspect
+from robodyn.identify.known import with_covariance_read
 from robodyn.identify.limits import LEAST_NOISE
 from robodyn.identify.predict import agreement, signals_seen
 from robodyn.kernels.array_dynamics import Model
@@ -83,7 +84,7 @@ def diagnose(
     tell = progress or (lambda _: None)
     if text is None and not isinstance(robot, Robot):
         text = text_of(robot)
-    robot = robot_of(robot).at(parameters or {})
+    robot = with_covariance_read(robot_of(robot).at(parameters or {}))
     tell("looking at the logs")
     scope = scope_of(robot.n, only, without, joints, most)
     share, rows = (count // max(1, len(logs)) for count in (FITTED_SAMPLES, FITTED_ROWS))

@@ -62,7 +62,7 @@ def diagnosed(
                 names = (Path(logs[path].source).name for path in chosen)  # stand in the files
                 key = key_of(
                     "diagnosis", own_key(), maker.__module__, maker.__qualname__, arm.text, arm.mapping or "",
-                    *names, *contents,
+                    arm.covariance or "", *names, *contents,
                 )  # fmt: skip
                 cases[where], tasks[key] = key, (arm, chosen, contents, files_of)
     for key, reason in work(tasks, diagnose_unit).items():

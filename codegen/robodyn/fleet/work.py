@@ -82,9 +82,12 @@ def diagnose_unit(
     Changed: one is another by now, or not here.
     """
     from robodyn.diagnose.run import diagnose
+    from robodyn.identify.known import with_covariance_of
     from robodyn.logs.log import read_log
 
     robot, mapping = _described(arm)
+    if arm.covariance is not None:
+        robot = with_covariance_of(robot, arm.covariance, arm.spec)
     with _unchanged(sources, hashes):
         logs = [read_log(source, robot.n, mapping=mapping, robot=robot) for source in sources]
         names = [Path(source).name for source in sources]

@@ -8,7 +8,6 @@ hundredth. Only the covariance says both.
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, Final
 
@@ -50,68 +49,87 @@ def numbers(robot: Robot) -> Floats:
 
 
 def covariance_to_dict(robot: Robot) -> dict[str, Any]:
-    """That of an identified arm as ``identify.json`` has it."""
-    known = robot.covariance
-    assert known is not None
-    assert known.values is not None
-    assert known.root is not None
-    return {"values": known.values.tolist(), "root": known.root.tolist()}
+    """The covariance of an identified arm as ``identify.json`` has it."""
+    values, root = _covariance(robot)
+    return {"values": values.tolist(), "root": root.tolist()}
+
+
+def covariance_text(robot: Robot) -> str | None:
+    """A file like ``identify.json`` with the covariance alone; None where ``robot`` has none."""
+    return None if robot.covariance is None else json.dumps({"covariance": covariance_to_dict(robot)}) + "\n"
+
+
+def with_covariance_read(robot: Robot) -> Robot:
+    """``robot`` with the covariance that its description names, if it names one.
+
+    Raises
+    ------
+    InputError: the file is not beside the description, is of another arm, or does not say it.
+    """
+    if robot.covariance is None or robot.covariance.root is not None:
+        return robot
+    if robot.file is None:
+        raise InputError(
+            f"how sure the numbers of {robot.name} are stands in a file beside its description",
+            found=f"a description without a path, which names {robot.covariance.file}",
+            remedy="give the path of the description, or delete covariance from it",
+        )
+    path = robot.file.with_name(robot.covariance.file)
+    return with_covariance_of(robot, read_text(path, LARGEST_FILE, _EXPECTED), label(path))
+
+
+def with_covariance_of(robot: Robot, text: str, source: str) -> Robot:
+    """``robot``, whose description names a covariance, with that in the ``text`` of a file; messages call the
+    file ``source``.
+
+    Raises
+    ------
+    InputError: it is of another arm, or does not say it.
+    """
+    assert robot.covariance is not None
+    size = 11 * robot.n
+    try:
+        data = json.loads(text)["covariance"]
+        values, root = (np.array(data[key], dtype=float) for key in ("values", "root"))
+        most = np.finfo(np.float32).max  # a square is finite
+        if not all(np.all(np.abs(x) < most) for x in (values, root)):
+            raise ValueError("a number is not finite, or too large")
+    except (KeyError, TypeError, ValueError, ArithmeticError, RecursionError) as error:
+        raise InputError(
+            "this file does not say how sure an arm's numbers are",
+            where=Place(source),
+            found=f"{type(error).__name__}: {error}",
+            expected=_EXPECTED,
+        ) from None
+    if values.shape != (size,) or root.ndim != 2 or root.shape[1] != size or len(root) > size:
+        raise InputError(
+            "this file is of another arm",
+            where=Place(source),
+            found=f"{values.size} numbers and a root of the shape {list(root.shape)}",
+            expected=f"{size} numbers of {robot.n} links, and at most as many rows of them",
+            remedy="identify the arm anew, or delete covariance from the description",
+        )
+    return replace(robot, covariance=replace(robot.covariance, values=values, root=root))
 
 
 def spread_of(robot: Robot, shares: Floats) -> Floats | None:
     """Rows [r, 11 n] whose squares sum to the covariance of links' and rotors' numbers, None where the
-    description names no file that says it. ``shares`` [n, 10]: standard deviations about the description of
-    links that are no longer as they were identified.
-
-    Raises
-    ------
-    InputError: the file is not beside the description, or is of another arm.
-    """
-    known = robot.covariance
-    if known is None:
+    description names none. ``shares`` [n, 10]: standard deviations about the description of links that are no
+    longer as they were identified."""
+    if robot.covariance is None:
         return None
-    if known.values is None or known.root is None:
-        known = _read(robot, known.file)
-    assert known.values is not None
-    assert known.root is not None
+    values, root = _covariance(robot)
     links = slice(0, 10 * robot.n)
-    old, new = (x[links].reshape(-1, 10) for x in (known.values, numbers(robot)))
+    old, new = (x[links].reshape(-1, 10) for x in (values, numbers(robot)))
     changed = np.array([not np.allclose(a, b) for a, b in zip(new, old, strict=True)])
     more = np.zeros((robot.n * 10, 11 * robot.n))
     more[:, links] = np.diag((shares * changed[:, None]).ravel())
-    return np.concatenate([known.root, more[more.any(axis=1)]])
+    return np.concatenate([root, more[more.any(axis=1)]])
 
 
-def _read(robot: Robot, name: str) -> Covariance:
-    if robot.file is None:
-        raise InputError(
-            f"{robot.name} was identified, and how sure its numbers are stands in {name}, which was not read",
-            remedy="give the path of the description, which lies beside that file, or delete covariance",
-        )
-    path = robot.file.with_name(name)
-    text = read_text(path, LARGEST_FILE, _EXPECTED)
-    try:
-        data = json.loads(text)["covariance"]
-        values, root = (_array(data, key) for key in ("values", "root"))
-    except (KeyError, TypeError, ValueError, RecursionError) as error:
-        what, found = (
-            "this file does not say how sure an arm's numbers are",
-            f"{type(error).__name__}: {error}",
-        )
-        raise InputError(what, where=Place(label(path)), found=found, expected=_EXPECTED) from None
-    if values.shape != (11 * robot.n,) or root.ndim != 2 or root.shape[1] != 11 * robot.n:
-        raise InputError(
-            "this file is of another arm",
-            where=Place(label(path)),
-            found=f"{values.size} numbers",
-            expected=f"{11 * robot.n} numbers of {robot.n} links, as in {label(robot.file)}",
-            remedy="identify the arm anew, or delete covariance from the description",
-        )
-    return Covariance(name, values, root)
-
-
-def _array(data: Mapping[str, Any], key: str) -> Floats:
-    array = np.array(data[key], dtype=float)
-    if not np.isfinite(array).all():
-        raise ValueError(f"{key} is not finite")
-    return array
+def _covariance(robot: Robot) -> tuple[Floats, Floats]:
+    known = robot.covariance
+    assert known is not None, "only of an arm that was identified"
+    assert known.values is not None, "with_covariance_read comes first"
+    assert known.root is not None
+    return known.values, known.root

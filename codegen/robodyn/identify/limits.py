@@ -120,7 +120,7 @@ LOAD_REACH: Final = 0.5
 # --- known --------------------
 
 LARGEST_FILE: Final = 64 << 20
-"""[bytes] The covariance of an arm of 100 links takes some 22 MB of text."""
+"""[bytes] The covariance of an arm of 100 links takes 35 MB of text."""
 
 # --- outcome --------------------
 

@@ -44,16 +44,20 @@ class Rest:
         return np.asarray(self.speeds * np.sqrt(np.maximum(0.0, 1 - 1 / np.maximum(self.wider, 1e-300))))
 
 
-def rest_speeds(arm: Arm, layout: Layout, pieces: Sequence[Rows], decades: int = 4) -> Floats:
-    """Speeds [n] below which directions are not resolved: of half decades from the RMS speed down, as far as
-    the encoders' noise lets a speed be told from rest, that with which least squares of the joint's own
-    torque leave least of the blocks that are not held out. Four ``decades`` below, none is resolved by a
-    log."""
+def half_decades(rms: Floats, noise: Floats, decades: int = 4) -> Floats:
+    """Speeds [m, n] of which one may be that of rest: half decades from the ``rms`` speeds [n] down, as far
+    as the encoders' ``noise`` [n] lets a speed be told from rest. Four ``decades`` below, none is resolved
+    by a log."""
+    return np.asarray(np.maximum(rms * 10.0 ** (-0.5 * np.arange(2 * decades + 1)[:, None]), noise))
+
+
+def rest_speeds(arm: Arm, layout: Layout, pieces: Sequence[Rows]) -> Floats:
+    """Speeds [n] below which directions are not resolved: of half decades that with which least squares of
+    the joint's own torque leave least of the blocks that are not held out."""
     count = sum(len(rows.qd) for rows in pieces)
     usual = np.sqrt(sum((rows.qd**2).sum(axis=0) for rows in pieces) / max(count, 1))
     noise = np.max([rows.signals.speed_noise for rows in pieces], axis=0)
-    steps = 10.0 ** (-0.5 * np.arange(2 * decades + 1))
-    tried = np.maximum(usual * steps[:, None], noise)
+    tried = half_decades(usual, noise)
     sizes = [len(layout.columns(j)) + len(tried) for j in range(layout.n)]
     grams = [np.zeros((size, size)) for size in sizes]  # all columns, and directions by every speed tried
     rights, squares = [np.zeros(size) for size in sizes], np.zeros(layout.n)

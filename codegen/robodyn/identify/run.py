@@ -122,11 +122,11 @@ class Identification:
             "rest": self.fit.rest.speeds.tolist(),
             "validated_on": "held-out blocks of the logs" if self.held_out else "a log of its own",
             "condition": self.condition,
-            "covariance": covariance_to_dict(self.model),
             "remarks": list(self.words),
             "flags": list(self.flags),
             "logs": [dict(log) for log in self.logs],
             "account": [account_to_dict(self.robot)],
+            "covariance": covariance_to_dict(self.model),
         }
 
 

@@ -29,6 +29,7 @@ from robodyn.diagnose.blind.seal import seal
 from robodyn.effects.catalogue import CATALOGUE, effect
 from robodyn.effects.effect import Effect
 from robodyn.errors import InputError
+from robodyn.identify.known import covariance_text, with_covariance_read
 from robodyn.identify.predict import model_torque, offsets
 from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
@@ -80,8 +81,12 @@ class Blind:
         return float((self.gap / self.noise).max())
 
     def files(self) -> dict[str, str | bytes]:
-        """``given.yaml``, the two logs with what is to be said of them, ``answer.sealed``."""
+        """``given.yaml``, and beside it the covariance that it names, the two logs with what is to be said of
+        them, ``answer.sealed``."""
         files: dict[str, str | bytes] = {"given.yaml": self.text}
+        known = covariance_text(self.model)
+        if known is not None and self.model.covariance is not None:
+            files[self.model.covariance.file] = known
         files.update(self.train.files("train.csv"))
         files.update(self.validate.files("validate.csv"))
         hashes = {name: _hash(files[name]) for name in ("train.csv", "validate.csv")}
@@ -132,7 +137,7 @@ def hide(
     from robodyn.robot.writer import to_yaml
 
     tell = progress or (lambda _: None)
-    how = setup or Setup()
+    how, robot = setup or Setup(), with_covariance_read(robot)
     if robot.parameters:
         raise InputError(
             f"{robot.name} has run-time parameters, of which a log knows no values",

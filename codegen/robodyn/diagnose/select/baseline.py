@@ -18,25 +18,25 @@ def with_baseline(search: Steps, fit: Fit, best: Trial | None) -> Fit | None:
     """The fit with what of the baseline is worth a name, where that is at most joints and foretells more than
     the ``best`` of all candidates, each name at its price."""
     least = float(log_likelihood(fit).sum()) if best is None else foretold_by(fit, best) - search.threshold
-    before = search.rows, search.dry.copy(), search.families
-    whole = _all_of_it(search, fit)
-    if float(log_likelihood(whole).sum()) > least:
-        whole = widened(whole, search.threshold) or whole
-        done = search.reviewed(whole, range(search.rows.n))
+    before = search.rows, search.dry.copy(), search.families, set(search.banned)
+    full = _with_joint_terms(search, fit)
+    if float(log_likelihood(full).sum()) > least:
+        full = widened(full, search.threshold) or full
+        reduced = search.reviewed(full, range(search.rows.n))
         search.banned.clear()
-        price = search.threshold * len(done.model.members)
-        joints = {one.key[1] for one in done.model.members} - {None}
-        if 2 * len(joints) > search.rows.n and float(log_likelihood(done).sum()) - price > least:
-            return done
-    search.rows, search.dry, search.families = before
+        price = search.threshold * len(reduced.model.members)
+        joints = {one.key[1] for one in reduced.model.members} - {None}
+        if 2 * len(joints) > search.rows.n and float(log_likelihood(reduced).sum()) - price > least:
+            return reduced
+    search.rows, search.dry, search.families, search.banned = before
     return None
 
 
-def _all_of_it(search: Steps, fit: Fit) -> Fit:
+def _with_joint_terms(search: Steps, fit: Fit) -> Fit:
     """With friction and rotors of all joints that help; where a joint rubs, its rows at rest say a set."""
     folds = ((one, one.first.definition.traits.fold) for one in search.families)
-    usual = [one for one, fold in folds if fold is not None and fold.into == "joint"]
-    for family in sorted(usual, key=lambda one: not one.second):  # both frictions of a joint at once
+    families = [one for one, fold in folds if fold is not None and fold.into == "joint"]
+    for family in sorted(families, key=lambda one: not one.second):  # both frictions of a joint at once
         if not any(family is one for one in search.open_to(fit)):
             continue
         (one,) = search.trials(fit, [family])
@@ -44,6 +44,6 @@ def _all_of_it(search: Steps, fit: Fit) -> Fit:
         if more is None:
             continue
         (j,) = family.rows
-        rubs = search.with_set_at_rest(more, j) if rubs_at(one, j) else None
-        fit = more if rubs is None else search.rubbing_at(rubs, j)
+        resting = search.with_rest_set(more, j) if rubs_at(one, j) else None
+        fit = more if resting is None else search.adopt_rest_set(resting, j)
     return fitted(fit.model) or fit

@@ -80,7 +80,7 @@ def foretells(one: Fit, other: Fit) -> float:
     return float((held_out(other) - held_out(one)).sum() / 2)
 
 
-def is_unlikely(one: Trial, robot: Robot) -> bool:
+def _is_unlikely(one: Trial, robot: Robot) -> bool:
     """Whether it is rare in arms, or contradicts what the description states of a link."""
     first = one.family.first
     fold = first.definition.traits.fold
@@ -89,14 +89,14 @@ def is_unlikely(one: Trial, robot: Robot) -> bool:
     return first.definition.level == "pair"
 
 
-def is_level(one: Trial, best: Trial, threshold: float, *, is_unlikely: bool) -> bool:
+def is_level(one: Trial, best: Trial, threshold: float, robot: Robot) -> bool:
     """Whether it foretells as much as the ``best``: within a standard error (Breiman et al. 1984), or but for
-    what of so many would be chance, the ``threshold`` [nats]; or, where the best ``is_unlikely``,
-    but for what is worth no name at the joint where that is most."""
+    what of so many would be chance, the ``threshold`` [nats]; or, where the best is unlikely, but for what is
+    worth no name at the joint where that is most."""
     if ahead(best.gains - one.gains) <= 1 or best.gain - one.gain < threshold:
         return True
     ratio = (best.after / np.maximum(one.after, 1e-300)).min()
-    return is_unlikely and bool(1 - np.sqrt(ratio) < PRACTICAL)
+    return _is_unlikely(best, robot) and bool(1 - np.sqrt(ratio) < PRACTICAL)
 
 
 def special_cases(id: str) -> set[str]:

@@ -53,13 +53,8 @@ RANGE: Final = 10.0
 """[-] as far from what the log's rates and encoders let expect."""
 
 NOISE_STEPS: Final = 20
-"""[-] Sizes of noise that are tried, from the sensors' to all that is left."""
-
-REST_DECADES: Final = (-0.5, -4.0)
-"""[decades] From the usual speed of a joint down to where no log resolves one."""
-
-REST_STEPS: Final = 8
-"""[-] Speeds that are tried there: half decades."""
+"""[-] Sizes of noise that are tried, from the sensors' to all that is left: a choice; between two of them the
+likelihood hardly changes, for what is left is seldom a hundred times the noise."""
 
 FIT_ROUNDS: Final = 6
 """[-] Steps of Gauss and Newton at most."""
@@ -90,9 +85,6 @@ LEAST_INERTIA: Final = 0.1
 SHARES: Final = (0.01, 0.03, 0.1, 0.3, 1.0)
 """[shares] By which all inertial numbers may be wrong, if that foretells enough more; at first those of which
 nothing is said are right."""
-
-MULTIPLES: Final = (3.0,)
-"""[-] So many times as far as their covariance says may numbers be off that were identified."""
 
 PART_CORRELATION: Final = 10.0
 """[correlation times] Length of the parts whose pulls on a fit are summed: the rows of one have little to do

@@ -10,28 +10,27 @@ import numpy as np
 from robodyn.arrays import Floats
 from robodyn.diagnose.select.compare import ahead, foretells, is_of_link
 from robodyn.diagnose.select.library import regressor_seen, rotors_seen
-from robodyn.diagnose.select.limits import LEAST_SHOWN, MULTIPLES, PRACTICAL, SHARES
+from robodyn.diagnose.select.limits import LEAST_SHOWN, PRACTICAL, SHARES
 from robodyn.diagnose.select.members import Fit, Model, fitted
 from robodyn.diagnose.select.prior import prior_scales
 from robodyn.diagnose.select.rows import Rows
 from robodyn.diagnose.select.score import Trial, held_out
 from robodyn.identify.known import spread_of
+from robodyn.robot.parts import SHARE_NOT_STATED
 
 
 def own_numbers(rows: Rows, share: float, *, is_timed: bool = False) -> Floats:
     """Torques [N, n, p] by combinations of the arm's own numbers, in units of what is known of them
-    beforehand, those that show: by ``share``, or by their covariance and by multiples ``share`` of that;
-    ``is_timed``: and by half a sample for which each torque is read late."""
+    beforehand, those that show: by their covariance, or by what is stated of them and the ``share`` of those
+    of which nothing is; ``is_timed``: and by half a sample for which each torque is read late."""
     model = rows.contexts[0].model
-    scales = prior_scales(model, share)
-    spread = spread_of(model.robot, scales)
-    seen = [regressor_seen(c) for c in rows.contexts]
+    regressor = np.concatenate([regressor_seen(c) for c in rows.contexts])
+    spread = spread_of(model.robot, prior_scales(model, float(SHARE_NOT_STATED)))
     if spread is None:
-        columns = np.concatenate(seen) * scales.reshape(-1)
+        columns = regressor * prior_scales(model, share).reshape(-1)
     else:
-        pairs = zip(seen, rows.contexts, strict=True)
-        whole = np.concatenate([np.concatenate([Y, rotors_seen(c)], axis=2) for Y, c in pairs])
-        columns = whole @ (max(share, 1.0) * spread).T
+        rotors = np.concatenate([rotors_seen(c) for c in rows.contexts])
+        columns = np.concatenate([regressor, rotors], axis=2) @ spread.T
     flat = (columns * np.sqrt(rows.weight)[:, :, None]).reshape(-1, columns.shape[2])
     _, sizes, ways = np.linalg.svd(flat.T @ flat, hermitian=True)
     numbers = np.asarray(columns @ ways[np.sqrt(sizes) > LEAST_SHOWN].T)
@@ -55,11 +54,11 @@ def with_own_numbers(model: Model, share: float | None, *, is_timed: bool) -> Mo
 
 
 def _wider(fit: Fit) -> Iterator[Fit]:
-    """The fit with wider bounds of the arm's own numbers, the members as they are: of those of which nothing
-    is stated, or of those that were identified."""
+    """The fit with wider bounds of the arm's own numbers of which nothing is known, the members as they
+    are."""
     robot = fit.model.rows.robot
-    open_shares = SHARES if any(link.confidence is None for link in robot.links) else ()
-    for share in open_shares if robot.covariance is None else MULTIPLES:
+    is_known = robot.covariance is not None or all(link.confidence is not None for link in robot.links)
+    for share in () if is_known else SHARES:
         if fit.model.share is None or share > fit.model.share:
             wider = fitted(with_own_numbers(fit.model, share, is_timed=fit.model.is_timed), 0)
             if wider is not None:

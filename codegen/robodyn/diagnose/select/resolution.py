@@ -8,13 +8,14 @@ from dataclasses import replace
 import numpy as np
 
 from robodyn.arrays import Floats
-from robodyn.diagnose.select.limits import RANGE, RESOLUTION, REST_DECADES, REST_STEPS
+from robodyn.diagnose.select.limits import RANGE, RESOLUTION
 from robodyn.diagnose.select.members import Fit, solve
 from robodyn.diagnose.select.noise import rest_of
 from robodyn.diagnose.select.rows import Rows, with_speeds
 from robodyn.diagnose.select.score import Trial, likelihood_of_any_noise, log_likelihood
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.prior import number_of
+from robodyn.identify.rest import half_decades
 from robodyn.robot.model import Robot
 
 
@@ -34,14 +35,13 @@ def likelier_speeds(fit: Fit, expected: Floats, threshold: float, best: Trial | 
 
 
 def rest_speeds(robot: Robot, rows: Rows) -> Floats:
-    """Speeds [n] below which friction of ``robot`` in proportion to the speed leaves least, of half decades
-    down from the usual ones, as :func:`robodyn.identify.rest.rest_speeds` has them before anything is
+    """Speeds [n] below which friction of ``robot`` in proportion to the speed leaves least, of half
+    decades below the usual speeds: :func:`robodyn.identify.rest.rest_speeds` has them before anything is
     named."""
-    usual = np.sqrt(np.mean(rows.seen("qd") ** 2, axis=0))
-    noise = np.max([c.signals.speed_noise for c in rows.contexts], axis=0)
-    tried = np.maximum(usual * np.logspace(*REST_DECADES, REST_STEPS)[:, None], noise)
-    left = [(rest_of(robot, with_speeds(rows, speeds)) ** 2).sum(axis=0) for speeds in tried]
-    return np.asarray(tried[np.argmin(left, axis=0), np.arange(rows.n)])
+    rms = np.sqrt(np.mean(rows.seen("qd") ** 2, axis=0))
+    _, *grid = half_decades(rms, np.max([c.signals.speed_noise for c in rows.contexts], axis=0))
+    squares = [(rest_of(robot, with_speeds(rows, speeds)) ** 2).sum(axis=0) for speeds in grid]
+    return np.asarray(np.array(grid)[np.argmin(squares, axis=0), np.arange(rows.n)])
 
 
 def foretold(fit: Fit, expected: Floats, threshold: float) -> tuple[Floats, float]:

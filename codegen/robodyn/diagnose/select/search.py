@@ -33,8 +33,8 @@ class Search(Steps):
         while len(fit.model.members) < MOST_MEMBERS:
             tried = self.tried(fit)
             best = self.choice(tried)
-            if not fit.model.members and (usual := with_baseline(self, fit, best)) is not None:
-                fit = usual
+            if not fit.model.members and (base := with_baseline(self, fit, best)) is not None:
+                fit = base
                 continue
             if (rubs := self.where_it_rubs(fit, tried, best)) is not None:
                 fit = rubs
@@ -72,7 +72,7 @@ class Search(Steps):
         for j in np.flatnonzero(self.dry):
             if best is not None and j != best.at.argmax():
                 continue
-            other = self.with_set_at_rest(fit, int(j))
+            other = self.with_rest_set(fit, int(j))
             if other is None:
                 continue
             is_law = best is not None and rubs_at(best, int(j))
@@ -80,7 +80,7 @@ class Search(Steps):
                 law = self.choice(self.trials(other, [one.family for one in tried if j in one.family.rows]))
                 is_law = law is not None and rubs_at(law, int(j)) and foretold_by(other, law) > before
             if is_law:
-                return self.rubbing_at(other, int(j))
+                return self.adopt_rest_set(other, int(j))
         return None
 
     def speeds_of_plain(self, fit: Fit, tried: Sequence[Trial], best: Trial) -> Floats | None:

@@ -13,7 +13,6 @@ from robodyn.diagnose.select.compare import (
     is_level,
     is_other_law,
     is_sum_of_others,
-    is_unlikely,
     overlap,
     read_link,
     special_cases,
@@ -68,14 +67,13 @@ class Steps:
         if not good:
             return None
         best = max(good, key=lambda one: one.gain)
-        unlikely = is_unlikely(best, self.rows.robot)
         near = [
             one
             for one in tried
             if self.is_worth(one)
             and not is_sum_of_others(one, tried)
             and overlap(one, best) > OVERLAP
-            and is_level(one, best, self.threshold, is_unlikely=unlikely)
+            and is_level(one, best, self.threshold, self.rows.robot)
         ]
         return min(near, key=lambda one: (one.family.order, -one.gain))
 
@@ -128,12 +126,12 @@ class Steps:
             for one in tried
         ]
 
-    def with_set_at_rest(self, fit: Fit, j: int) -> Fit | None:
+    def with_rest_set(self, fit: Fit, j: int) -> Fit | None:
         """The fit with rows at rest that say a set at joint ``j`` (from 0) too."""
         more = np.where(np.arange(self.rows.n) == j, self.dry, 0.0)
         return fitted(replace(fit.model, rows=replace(self.rows, level=self.rows.level + more)))
 
-    def rubbing_at(self, fit: Fit, j: int) -> Fit:
+    def adopt_rest_set(self, fit: Fit, j: int) -> Fit:
         """The fit, whose rows at rest say a set at joint ``j`` (from 0), from now on."""
         self.dry[j], self.rows = 0.0, fit.model.rows
         self.banned.clear()

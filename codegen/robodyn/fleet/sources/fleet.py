@@ -23,12 +23,14 @@ IN_LOG: Final = math.nan
 class ArmType:
     """Arms that are built alike: ``spec`` is how their description was named (a path, or a bundled arm),
     ``text`` the description in YAML, ``mapping`` the text of the map by which their logs are read (None: by
-    the usual names of columns)."""
+    the usual names of columns), ``covariance`` that of a file with the covariance that the description names
+    (None: it names none)."""
 
     name: str
     spec: str
     text: str
     mapping: str | None = None
+    covariance: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,8 +91,13 @@ def arm_type(
         except InputError as error:
             error.remedy = "say them in the table of the type: parameters = {NAME = VALUE}"
             raise
+    known = None
+    if robot.covariance is not None:
+        from robodyn.identify.known import covariance_text, with_covariance_read
+
+        known = covariance_text(with_covariance_read(robot))
     if mapping is None:
-        return ArmType(name, spec, text)
+        return ArmType(name, spec, text, covariance=known)
     columns = read_text(mapping, SIZE, "a map of logs, such as map.yaml")
     map_of_text(columns, label(mapping))
-    return ArmType(name, spec, text, columns)
+    return ArmType(name, spec, text, columns, known)
