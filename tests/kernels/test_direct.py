@@ -122,6 +122,17 @@ def test_what_does_not_fit_is_refused_in_the_same_words(call: Any, toy: Callable
     assert said[0] == said[1]
 
 
+def test_one_row_of_a_matrix_is_a_batch_as_it_is_for_python() -> None:
+    """An input ``[1, 1]``, which only functions by other makers have."""
+    header = "typedef double one_real;\nvoid one_twice(const one_real M[1], one_real tau[1]);\n"
+    source = '#include "one.h"\nvoid one_twice(const one_real M[1], one_real tau[1]) { tau[0] = 2 * M[0]; }\n'
+    signature = Signature("one", "twice", (("M", 1),), (("tau", 1),))
+    for mode in ("api", "abi"):
+        kernel = load([signature], {"one.h": header, "one.c": source}, mode=mode)
+        assert kernel.twice(np.ones(1)).tolist() == [2.0]
+        assert kernel.twice(np.ones((1, 1))).tolist() == [[2.0]]
+
+
 def test_out_is_written_to(kernel: Kernel) -> None:
     q, out = states(None)[0], np.zeros(2)
     assert kernel.gravity(q, out=out) is out
@@ -235,6 +246,8 @@ def test_a_function_is_still_what_it_says(kernel: Kernel) -> None:
     with pytest.raises(TypeError, match="that of a function already"):
         gravity.of("gravity", tuple, print)  # type: ignore[attr-defined]
     empty = type(gravity).__mro__[1]()
+    with pytest.raises(TypeError, match="a kind of tuple"):
+        empty.of("gravity", object, print)  # results would be written past its end
     with pytest.raises(TypeError, match="comes first"):
         empty(np.ones(2))
 
