@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import inspect
 import pickle
@@ -242,6 +243,7 @@ def test_a_function_is_still_what_it_says(kernel: Kernel) -> None:
     gravity = kernel.gravity
     assert isinstance(gravity, Function)
     assert repr(gravity) == "<toy.gravity(q) -> tau [2]>"
+    assert copy.copy(gravity)(np.ones(2)).tobytes() == gravity(np.ones(2)).tobytes()
     assert list(inspect.signature(gravity).parameters) == ["arrays", "params", "out", "state", "dt", "named"]
     with pytest.raises(TypeError, match="that of a function already"):
         gravity.of("gravity", tuple, print)  # type: ignore[attr-defined]
@@ -263,6 +265,6 @@ def test_several_results_have_names(slow: list[str]) -> None:
     for one, other in zip(found, want, strict=True):
         assert one.tobytes() == other.tobytes()
     np.testing.assert_array_equal(found.dtau_dqd, found[1])
-    copy = pickle.loads(pickle.dumps(found))
-    assert copy._fields == found._fields
-    assert copy.dtau_dq.tobytes() == found.dtau_dq.tobytes()
+    again = pickle.loads(pickle.dumps(found))
+    assert again._fields == found._fields
+    assert again.dtau_dq.tobytes() == found.dtau_dq.tobytes()

@@ -178,6 +178,9 @@ class Function:
     def _output_text(self) -> str:
         return ", ".join(f"{name} {shape_text(shape)}" for name, shape in self.results)
 
+    def __copy__(self) -> Function:
+        return self  # the memory of one that C answers cannot be copied, and nothing in it changes
+
     def __repr__(self) -> str:
         return f"<{self.where}({', '.join(self._inputs)}) -> {self._output_text()}>"
 
