@@ -230,6 +230,19 @@ def test_without_it_python_answers(slow: list[str], toy: Callable[..., Any], exp
     assert slow == ["inverse_dynamics"]
 
 
+def test_headers_of_numpy_that_come_later_are_used(
+    slow: list[str], toy: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    arm, given = toy(), states(None)
+    with monkeypatch.context() as without:
+        without.setattr(np, "get_include", lambda: str(tmp_path))
+        load(arm.signatures, arm.files, cache=tmp_path / "cache").inverse_dynamics(*given)
+    assert slow.pop() == "inverse_dynamics"
+    monkeypatch.setattr("robodyn.toolchain.library._loaded", {})  # as in the next process
+    load(arm.signatures, arm.files, cache=tmp_path / "cache").inverse_dynamics(*given)
+    assert not slow
+
+
 def test_run_time_parameters_are_pythons(slow: list[str], toy: Callable[..., Any]) -> None:
     arm = toy(parameters=True)
     kernel = load(arm.signatures, arm.files)

@@ -253,7 +253,8 @@ _EXECUTABLE = "set ROBODYN_CACHE to a folder from which libraries may be loaded"
 
 
 def _python() -> list[str]:
-    """What an extension depends on: this Python's binary interface, cffi's and numpy's."""
+    """What an extension depends on: this Python's binary interface, cffi's and numpy's, and whether numpy's
+    headers are there (distributions have them in a package of their own), for they may be installed later."""
     import cffi
 
     return [
@@ -262,6 +263,7 @@ def _python() -> list[str]:
         sysconfig.get_path("include"),
         cffi.__version__,
         np.__version__,
+        str(Path(np.get_include(), "numpy", "arrayobject.h").is_file()),
     ]
 
 
