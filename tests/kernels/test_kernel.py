@@ -38,6 +38,7 @@ def test_values(mode: Any, scalar: Any, parameters: bool, toy: Callable[..., Any
     for k in range(7):  # one state at a time gives the same bits as a batch
         assert kernel.inverse_dynamics(q[k], qd[k], qdd[k], **options).tobytes() == tau[k].tobytes()
     assert kernel.mass_matrix(q[0], **options).shape == (2, 2)
+    assert kernel.mass_matrix(q[:0], **options).shape == (0, 2, 2)
 
 
 def test_what_a_kernel_says_of_itself(kernel: Kernel, tunable: Kernel) -> None:
@@ -95,6 +96,12 @@ def test_real_numbers_of_any_kind_are_taken(value: Any, scalar: Any, toy: Callab
     kernel = load(arm.signatures, arm.files)
     M = kernel.mass_matrix(value)
     assert M.reshape(2, 2).tolist() == [[1.0, 1.0], [2.0, 4.0]]
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_double_beyond_single_precision_is_infinite(toy: Callable[..., Any]) -> None:
+    arm = toy(scalar="float")
+    assert load(arm.signatures, arm.files).mass_matrix([1e300, 1 / 3])[0, 1] == np.inf
 
 
 @pytest.mark.filterwarnings("error")
