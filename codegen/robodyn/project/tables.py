@@ -17,6 +17,9 @@ from robodyn.resources import bundled_robot
 
 #: A robodyn.toml or robodyn.lock with more bytes is refused [bytes]: thousands of robots need less.
 LARGEST_FILE: Final = 8 << 20
+#: For a key of many parts tomllib takes some 13 ns for each square of their number, and a key stands on one
+#: line. A file with more squares of dots on its lines is refused: a second or two, and no table needs them.
+MOST_SQUARES: Final = 100_000_000
 
 
 def parsed(text: str, name: str) -> dict[str, Any]:
@@ -24,8 +27,15 @@ def parsed(text: str, name: str) -> dict[str, Any]:
 
     Raises
     ------
-    InputError: it is no TOML; with line and column.
+    InputError: it is no TOML; with line and column. Or its keys have too many parts.
     """
+    dots = [line.count(".") for line in text.split("\n")]
+    if sum(count**2 for count in dots) > MOST_SQUARES:
+        most = max(dots)
+        raise InputError(
+            "this file has lines with too many dots", where=Place(name, dots.index(most) + 1),
+            found=f"{most} in a line", remedy="spread lists over lines, and give keys fewer parts",
+        )  # fmt: skip
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # TOMLDecodeError, or a number of too many digits

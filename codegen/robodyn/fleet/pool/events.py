@@ -22,7 +22,7 @@ def program_changes(
     take turns look so by chance: of all names, ``named`` others among them, the share ``false_names`` is
     expected to be such, at most (Benjamini and Hochberg 1995, with the chances that there are)."""
     chances: list[Floats] = []
-    found: list[tuple[float, tuple[int, int], Claim]] = []
+    splits: list[tuple[float, tuple[int, int], Claim]] = []
     for k, model in enumerate(models):
         seldom = switching(model.unit, model.program) <= false_names
         for u in range(len(model.units)):
@@ -33,11 +33,11 @@ def program_changes(
                 chance = 0.0 if seldom else float(chances[-1][min(place, len(logs) - place) - 2])
                 between = model.dates[logs][place - 1 : place + 1].tolist()
                 claim = _event(PROGRAM_CHANGE, PROGRAM_CHANGE, between, 1.0, "-")
-                found.append((chance, (k, u), claim))
-    found.sort(key=lambda one: one[0])
-    expected = [sum(own[own <= chance].max(initial=0.0) for own in chances) for chance, *_ in found]
-    good = [n for n, e in enumerate(expected, 1) if e <= false_names * (n + named)]
-    return {unit: claim for _, unit, claim in found[: max(good, default=0)]}
+                splits.append((chance, (k, u), claim))
+    splits.sort(key=lambda one: one[0])
+    expected = [sum(own[own <= chance].max(initial=0.0) for own in chances) for chance, *_ in splits]
+    counts = [n for n, e in enumerate(expected, 1) if e <= false_names * (n + named)]
+    return {unit: claim for _, unit, claim in splits[: max(counts, default=0)]}
 
 
 def clock_event(model: TypeModel, unit: int) -> Claim | None:

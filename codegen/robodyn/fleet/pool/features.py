@@ -84,7 +84,7 @@ def readings_of(
     share = np.where(level > 0, np.sqrt(np.maximum(variance, 0)) / np.maximum(level, 1e-300), np.inf)
     usual = np.nan_to_num(known_median(np.where(share < SEEN["friction"], level, np.nan)), nan=0.0)
     # Of each kind what logs show [K, n], its standard error, and what that is at most of what counts.
-    shown: dict[Kind, tuple[Floats, Floats, Any]] = {
+    measures: dict[Kind, tuple[Floats, Floats, Any]] = {
         "friction": (np.log(np.maximum(level, 1e-300)), share, SEEN["friction"]),
         "offset": (numbers.y[:, at["offset"]], errors[:, at["offset"]], SEEN["offset"] * usual),
         "gain": (numbers.y[:, at["gain"]], errors[:, at["gain"]], SEEN["gain"]),
@@ -95,7 +95,7 @@ def readings_of(
     values, stderr = np.full((2, len(level), len(features)), np.nan)
     for c, one in enumerate(features):
         j = (one.joint or 1) - 1
-        value, error, most = shown.get(one.kind, (body, body_error, SEEN["body"] * numbers.mass))
-        seen = (error < most)[:, j] & np.isfinite(value[:, j]) & (moves[:, j] | (one.joint is None))
-        values[seen, c], stderr[seen, c] = value[seen, j], error[seen, j]
+        value, error, most = measures.get(one.kind, (body, body_error, SEEN["body"] * numbers.mass))
+        is_known = (error < most)[:, j] & np.isfinite(value[:, j]) & (moves[:, j] | (one.joint is None))
+        values[is_known, c], stderr[is_known, c] = value[is_known, j], error[is_known, j]
     return Readings(values, stderr, np.where(moves, share, np.inf))

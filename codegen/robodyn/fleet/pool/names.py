@@ -19,7 +19,8 @@ from robodyn.fleet.pool.type_model import TypeModel
 #: Kinds of features that are no harm where they fall, and those in which a unit may always have been another.
 _HARM_BY_GROWTH: Final = ("play", "unexplained")
 LASTING: Final = ("friction", "body")
-#: Readings of a unit by which it is compared with its siblings, at least.
+#: Readings of a unit by which it is compared with its siblings, at least: the least whose median one odd
+#: reading does not move beyond the others.
 _FEWEST: Final = 3
 #: A type, a unit and a feature of it, by their places.
 Key = tuple[int, int, int]
@@ -56,14 +57,16 @@ def names_of(
 ) -> dict[tuple[int, int], Name]:
     """The names of units, by type and unit: of those that have a name the share ``false_names`` is false at
     most, in the mean. A unit that has changed is named by that, others by what was always so."""
-    found = [*_changed(models, courses, false_names), *_always(models)]
-    if not found:
+    candidates = [*_changed(models, courses, false_names), *_always(models)]
+    if not candidates:
         return {}
     # Two questions a unit, each with a part of the false names (Genovese, Roeder and Wasserman 2006).
-    parts = [2 * (CHANGES if one.is_change else 1 - CHANGES) for one in found]
-    shares = false_discovery_control([min(one.p / part, 1.0) for one, part in zip(found, parts, strict=True)])
+    parts = [2 * (CHANGES if one.is_change else 1 - CHANGES) for one in candidates]
+    shares = false_discovery_control(
+        [min(one.p / part, 1.0) for one, part in zip(candidates, parts, strict=True)]
+    )
     names: dict[tuple[int, int], Name] = {}
-    for one, q in zip(found, shares.tolist(), strict=True):
+    for one, q in zip(candidates, shares.tolist(), strict=True):
         if q <= false_names:
             names.setdefault(one.key[:2], Name(one.key, one.p, q, one.is_change))
     return names
@@ -118,11 +121,11 @@ def _always(models: Sequence[TypeModel]) -> list[Name]:
     friction by a large factor."""
     names = []
     for k, model in enumerate(models):
-        looked = [c for c, one in enumerate(model.features) if one.kind in LASTING]
+        features = [c for c, one in enumerate(model.features) if one.kind in LASTING]
         for u in range(len(model.units)) if len(model.units) >= SIBLINGS else ():
-            chances = [(_chance(model, u, c), c) for c in looked]
+            chances = [(_chance(model, u, c), c) for c in features]
             chance, c = min(chances)
-            names.append(Name((k, u, c), min(chance * len(looked), 1.0), 1.0, False))
+            names.append(Name((k, u, c), min(chance * len(features), 1.0), 1.0, False))
     return names
 
 
@@ -131,8 +134,8 @@ def _chance(model: TypeModel, unit: int, c: int) -> float:
     0.37 of as many units as a mean would (Hampel and others 1986, ch. 2)."""
     population = model.population[c]
     off, spread = population.off(unit), population.between_units
-    shown = np.isfinite(population.value[model.logs_of(unit)]).sum()
+    readings = np.isfinite(population.value[model.logs_of(unit)]).sum()
     is_far = model.features[c].kind == "body" or abs(off) > log(ALWAYS)
-    if shown < _FEWEST or not spread > 0 or not is_far:
+    if readings < _FEWEST or not spread > 0 or not is_far:
         return 1.0
     return 2 * float(t.sf(abs(off) / spread, 0.37 * (len(model.units) - 1)))

@@ -22,7 +22,7 @@ from robodyn.arrays import Floats, Indices
 from robodyn.fleet.limits import DATES, FREEDOM, LEAST_LOGS, ONE_LOG, PERMUTATIONS
 from robodyn.fleet.pool.population import Population
 
-#: Entries of arrays that are worked on together.
+#: Entries of arrays that are worked on together: 32 MB of doubles, a choice; results are the same with any.
 _TOGETHER: Final = 4_000_000
 
 
