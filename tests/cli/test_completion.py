@@ -177,8 +177,9 @@ def test_a_line_is_completed(shell: str, lines: list[tuple[str, str]], terminal:
     for begun, rest in lines:
         terminal.send(f"{begun}\t")
         terminal.until(rest)
-        terminal.send("\x01echo '\x05'\n")  # at the beginning, and at the end
-        terminal.until(f"\n{begun}{rest}")
+        terminal.send("\x01echo '\x05|'\n")  # at the beginning, and at the end
+        line = terminal.until("|\r\n").partition("|\r\n")[0].rpartition("\n")[2]
+        assert line.rstrip(" /") == begun + rest
 
 
 @pytest.mark.thorough

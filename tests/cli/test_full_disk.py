@@ -130,7 +130,9 @@ def test_a_fleet_goes_on_when_there_is_room_again(size: int, here: Path) -> None
 def test_a_place_that_is_wrong_is_bad_input(capsys: Capture) -> None:
     Path("file").write_text("")
     for place in ("file/out", "x" * 300, "/proc/robodyn"):
-        run(capsys, f"gen stanford_3dof -o {place}", code=2)
+        _, err = run(capsys, f"gen stanford_3dof -o {place}", code=2)
+        assert err.startswith("robodyn: error: "), place
+    assert [path.name for path in Path().iterdir()] == ["file"]
 
 
 def test_one_place_writes_for_all_commands() -> None:

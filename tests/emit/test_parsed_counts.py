@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from dataclasses import asdict
 from typing import Any
 
 import pytest
@@ -163,3 +164,23 @@ def test_counts_by_kind_stand_in_the_files(name: str) -> None:
         for function, found in generated.counts.items():
             told = f"{function}: {found}; {found.neg} unary minus; {found.sincos} sine/cosine"
             assert told in flat, name_
+
+
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        ("fc3_x = 4.8*(a3_x - 0.07*lam3_12)", {"mul": 2, "add": 1}),  # the worked line of the documentation
+        ("x = -0.5*y", {"mul": 1}),
+        ("x = -y*y", {"mul": 1, "neg": 1}),
+        ("x = -y - z", {"add": 1, "neg": 1}),
+        ("x = y - (-0.5)", {"add": 1}),
+        ("x = 2.0*y + y*y", {"mul": 2, "add": 1}),
+        ("x = 1.0/(q[1] + q[0])", {"div": 1, "add": 1}),
+        ("x = (y > 0.0 ? 1.0 : (y < 0.0 ? -1.0 : 0.0))*tanh(z)", {"mul": 1, "other": 2}),
+    ],
+)
+def test_the_parser_counts_as_the_thesis_does(statement: str, expected: dict[str, int]) -> None:
+    """The convention, line by line: without this the comparison could be wrong on both sides."""
+    text = f"typedef double r;\nvoid f(const r q[2], r t[1]) {{ const r {statement}; t[0] = x; }}"
+    (found,) = counted({"f.h": "", "f.c": text}, single=False).values()
+    assert {kind: n for kind, n in asdict(found).items() if n} == expected

@@ -13,7 +13,8 @@ import pytest
 
 from robodyn.errors import InputError
 from robodyn.fleet import store as store_module
-from robodyn.fleet.store import Refused, open_store
+from robodyn.fleet.store import Refused, key_of, open_store
+from robodyn_testing import require_module
 
 
 def test_what_is_kept_is_there_in_the_next_run(tmp_path: Path) -> None:
@@ -175,7 +176,7 @@ def test_a_run_that_is_killed_has_kept_what_it_had(tmp_path: Path) -> None:
 
 
 def test_a_disk_without_room_costs_nothing_that_was_kept(tmp_path: Path) -> None:
-    pytest.importorskip("resource")
+    require_module("resource")
     path = tmp_path / "store"
     limit = "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (2_000_000, 2_000_000))"
     with keeping(path, limit) as process:
@@ -185,3 +186,9 @@ def test_a_disk_without_room_costs_nothing_that_was_kept(tmp_path: Path) -> None
     last = int(lines.split()[-1])
     assert last > 100
     check(path, last)
+
+
+def test_keys_differ_wherever_their_parts_do() -> None:
+    several = [("a", "b"), ("ab", ""), ("", "ab"), ("a", "b", ""), ("b", "a"), ("a\udc80", "b")]
+    assert len({key_of(*parts) for parts in several}) == len(several)
+    assert key_of("a", "b") == key_of("a", "b")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import robodyn
@@ -15,6 +16,7 @@ from robodyn.formats.xml_text import ENCODINGS, xml_text
 from robodyn.robot import to_yaml
 from robodyn_cli.main import main
 from robodyn_testing import require_module
+from robodyn_testing.arms import RigidArm
 from robodyn_testing.urdf_text import joint, link, robot
 from robodyn_testing.xacro_arms import HEAD, arm, write
 
@@ -56,6 +58,19 @@ def test_the_arm_is_that_of_the_plain_file(case: str, tmp_path: Path) -> None:
     warnings = [f"{where}: {said}" for where, said in imported.warnings]
     assert len(warnings) == (2 if case == "both" else bool(words)), warnings
     assert warnings[:1] == [] if not words else warnings[0].startswith(f"{path}{words}")
+
+
+@pytest.mark.parametrize("case", ["hyphens", "rule", "blank line", "mark", "mark after a line", "latin-1"])
+def test_pinocchio_reads_the_same_file(case: str, tmp_path: Path) -> None:
+    pinocchio = require_module("pinocchio")
+    path = tmp_path / "arm.urdf"
+    before, encoding, _ = READ[case]
+    path.write_bytes((before + ARM).encode(encoding))
+    model = pinocchio.buildModelFromUrdf(str(path))
+    q, qd, qdd = np.array([[0.3], [-0.4], [0.7]])
+    assert RigidArm(import_arm(path).robot).torques(q, qd, qdd) == pytest.approx(
+        pinocchio.rnea(model, model.createData(), q, qd, qdd), abs=1e-9
+    )
 
 
 @pytest.mark.parametrize("encoding", ["latin-1", "utf-16", "cp1251", "shift_jis"])

@@ -82,7 +82,7 @@ def robots_of(chunk: int) -> Iterator[tuple[int, Robot, list[Reference]]]:
 def test_random_robots(chunk: int) -> None:
     """Torques of every robot in double and float; by turns the other functions, and without regrouping.
 
-    With little or no optimisation by the compiler, to be quick; ``test_random_robots_in_full`` tries all.
+    With little or no optimisation by the compiler, to be quick; bundled robots are tried with all of it.
     """
     found = []
     for seed, robot, refs in robots_of(chunk):

@@ -11,9 +11,10 @@ import pytest
 from robodyn.errors import InputError
 from robodyn.project.lock import Locked, lock_text, read_lock
 from robodyn.project.reading import Project, read_project
-from robodyn.project.tables import Places
+from robodyn.project.tables import Places, parsed
 from robodyn.resources import bundled_robot
 from robodyn_cli.project_keys import project_keys
+from robodyn_testing.clocks import calls_of
 
 ALL = """\
 # comment
@@ -40,6 +41,14 @@ def read(folder: Path, text: str) -> Project:
     (folder / "arms" / "arm.yaml").touch()
     (folder / "robodyn.toml").write_text(text, encoding="utf-8")
     return read_project(folder / "robodyn.toml", project_keys())
+
+
+@pytest.mark.parametrize("text", ["{}=1", "[{}]", "a={{b='',{}=1}}"])
+def test_a_key_of_very_many_parts_is_refused_before_it_takes_long(text: str, tmp_path: Path) -> None:
+    many = text.format(".".join(['"a"', "b"] * 20_000))
+    with pytest.raises(InputError, match=r"robodyn\.toml:2: this file has lines with too many dots"):
+        calls_of(lambda: parsed(f"\n{many}", "robodyn.toml"), most=1_000)
+    assert read(tmp_path, f"# {'.' * 9_000}\n{ALL}").entries
 
 
 def test_robots_have_the_options_of_all_and_their_own(tmp_path: Path) -> None:

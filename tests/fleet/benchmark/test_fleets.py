@@ -56,6 +56,15 @@ def test_the_files_are_a_fleet(fleet: tuple[Path, Planted], tmp_path: Path) -> N
     json.dumps(result.answer, allow_nan=False)
 
 
+def test_what_cannot_be_planted(tmp_path: Path) -> None:
+    arm = load("puma560_3dof")
+    with pytest.raises(InputError, match="one name"):
+        plant_fleet([arm, arm], SMALL, tmp_path)
+    with pytest.raises(InputError, match="more is planted"):
+        plant_fleet([arm], Recipe(units=3, friction_units=1.0, play_units=1.0), tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
 @pytest.mark.parametrize(
     ("text", "what"),
     [

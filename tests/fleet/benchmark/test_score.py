@@ -13,6 +13,7 @@ from robodyn.diagnose.blind.json_part import Part
 from robodyn.diagnose.blind.seal import seal
 from robodyn.effects.friction import COULOMB, VISCOUS
 from robodyn.effects.rigid import PAYLOAD
+from robodyn.errors import InputError
 
 
 def planted(unit: str, kind: str, effects: list[str], joint: int | None, since: str | None) -> dict[str, Any]:
@@ -77,3 +78,21 @@ def test_at_the_shell(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     right, wrong = capsys.readouterr().out.split("overall: right\n")
     assert "friction: 1 of 1 units are named, 1 with effect and joint right" in right
     assert f"u2: {PAYLOAD.id} is planted, {VISCOUS.id} at joint 3 is named" in wrong
+
+
+@pytest.mark.parametrize(
+    ("result", "part"),
+    [
+        ([], "a JSON object"),
+        ({}, "units"),
+        ({"units": [{"type": "a", "claims": []}]}, r"units\[0\].unit"),
+        ({"units": [{"type": "a", "unit": "u1", "claims": [{"effects": 3}]}]}, r"claims\[0\].effects"),
+        (
+            {"units": [{"type": "a", "unit": "u1", "claims": [claim([VISCOUS.id], 3, "yesterday")]}]},
+            r"claims\[0\].since",
+        ),
+    ],
+)
+def test_no_answer_about_a_fleet(result: Any, part: str) -> None:
+    with pytest.raises(InputError, match=part):
+        score_fleet(Part(ANSWER, "answer.sealed", "an answer", "look"), result)
