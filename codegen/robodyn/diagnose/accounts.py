@@ -47,9 +47,7 @@ def accounted(
 
     def account(apart: Sequence[Touched]) -> Account:
         rest = logs.without(apart)
-        outcome = search(
-            robot, rest.fitted, tell, scope.at_rest() if all(g.stands for g in rest.fitted) else scope
-        )
+        outcome = search(robot, rest.fitted, tell, scope.at_rest() if rest.stand else scope)
         tell("validating the result")
         named = findings_of(robot, outcome, is_doubtful=doubtful(rest.fitted))
         tell("fitting the arm's own numbers")

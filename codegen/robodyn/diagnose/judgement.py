@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Final
 
 import numpy as np
 
@@ -23,6 +24,9 @@ from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
 from robodyn.gate.gate import Gate
 from robodyn.identify.predict import lacking
 from robodyn.robot.model import Robot
+
+#: What is said where no joint moves in the logs that were fitted.
+STANDS: Final = "no joint moves in these logs: only contacts were looked for"
 
 # --- what models leave ------------------------------------------------------------------------------------
 
@@ -80,7 +84,8 @@ def excess(rows: Rows, left: Floats) -> Floats:
 
 
 def structure(rows: Rows, left: Floats) -> Floats:
-    """The same of joints where it is more than noise: correlated over longer than the filter makes it."""
+    """The same of joints where it is more than noise: correlated over longer than the filter makes it, or
+    more than the torque itself (a model that says nothing would leave less)."""
     first, last = (max(1, int(rows.rate * lag)) for lag in STRUCTURE_LAGS)
     lags = [lag for lag in range(first, last + 1) if lag < len(left) // 2]
     centred = _beyond_set(rows, left)
@@ -88,7 +93,9 @@ def structure(rows: Rows, left: Floats) -> Floats:
     sizes = np.maximum(np.sum(centred**2, axis=0), 1e-300)
     each = [np.sum(centred[:-lag] * centred[lag:], axis=0) / sizes for lag in lags] or [0 * sizes]
     is_correlated = np.sqrt(np.mean(np.square(each), axis=0)) > STRUCTURE
-    return np.where(is_correlated, excess(rows, left), 0.0)
+    torque = _beyond_set(rows, rows.seen("tau"))
+    is_worse_than_none = np.sum(_beyond_set(rows, left) ** 2, axis=0) > np.sum(torque**2, axis=0)
+    return np.where(is_correlated | is_worse_than_none, excess(rows, left), 0.0)
 
 
 def _beyond_set(rows: Rows, left: Floats) -> Floats:
@@ -106,13 +113,15 @@ def explained(outcome: Outcome) -> Floats:
 
 def standing(findings: Sequence[Finding], outcome: Outcome) -> tuple[Finding, ...]:
     """The ``findings``, no claims those at whose joint most of the torque remains, and not as noise: what
-    fits there a little need not be what is missing."""
+    fits there a little need not be what is missing. None is a claim where more is left of some joint than it
+    has torque: that is another arm, or another log."""
     rows = outcome.fit.model.rows
     left = structure(rows, outcome.fit.rest)
     torque, rest = (
         np.sqrt(np.mean(_beyond_set(rows, x) ** 2, axis=0)) for x in (rows.seen("tau"), outcome.fit.rest)
     )
     is_left = (left > EXCESS) & (rest > MOSTLY * torque)
+    is_left |= np.any((left > EXCESS) & (rest > torque))
     place = {one.member.key: int(one.trial.at.argmax()) for one in outcome.found}
     return tuple(
         replace(f, confidence=min(f.confidence, WITHDRAWN)) if is_left[place[f.effect, f.joint]] else f
@@ -153,10 +162,13 @@ def confirmed(models: Sequence[Robot], seen: Sequence[Gate], fitted: Rows) -> li
     return [bool(np.sum((rest_of(one, rows) ** 2 - whole**2) * rows.weight) >= 0) for one in models[1:]]
 
 
-def words_of(verdict: Verdict, left: Floats) -> tuple[str, ...]:
-    """Remarks for people; ``left`` [n]: what nothing explains, in units of what would matter."""
+def words_of(verdict: Verdict, left: Floats, *, stands: bool) -> tuple[str, ...]:
+    """Remarks for people; ``left`` [n]: what nothing explains, in units of what would matter; ``stands``:
+    whether the arm stands still in all logs that were fitted."""
     words = []
-    if verdict == "unexplained":
+    if stands:
+        words.append(STANDS)
+    elif verdict == "unexplained":
         worst = int(np.argmax(left))
         words.append(f"something moves joint {worst + 1} that no effect of the catalogue explains")
     if verdict == "consistent":

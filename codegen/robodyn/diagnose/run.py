@@ -19,7 +19,7 @@ from robodyn.diagnose.evidence import (
     tried,
     windows,
 )
-from robodyn.diagnose.judgement import Lacking, what_matters, words_of
+from robodyn.diagnose.judgement import STANDS, Lacking, what_matters, words_of
 from robodyn.diagnose.limits import (
     DRAWN_POINTS,
     FITTED_ROWS,
@@ -117,6 +117,8 @@ def diagnose(
     remarks: dict[str, Any] = {}
     if own.is_refitted:
         remarks["refitted"] = share_allowed(robot, outcome.fit.model.share)
+    if account.logs.stand:
+        remarks["stands"] = STANDS
     if heavier:
         remarks["one_body"] = heavier.words()
     old = text if text is not None and parameters is None else to_yaml(robot)
@@ -127,7 +129,7 @@ def diagnose(
     before, after = operations(robot), operations(model)
     drawn = (("train", whole[0]), ("validate", whole[-1]))
     words = (
-        *words_of(result.verdict, left),
+        *words_of(result.verdict, left, stands=account.logs.stand),
         *([heavier.words()] if heavier else []),
         *result.words,
         *scope.words(),

@@ -43,6 +43,11 @@ class Logs:
         return self.gates[: self.fits]
 
     @property
+    def stand(self) -> bool:
+        """Whether the arm stands still in all that is fitted: contacts show, and nothing of what it lacks."""
+        return all(gate.stands for gate in self.fitted)
+
+    @property
     def judged(self) -> Sequence[Gate]:
         """Those that names are judged in: what is not fitted, if there is such."""
         return self.gates[self.fits :] or self.gates
@@ -78,8 +83,8 @@ def settled(
     named = findings if verdict == "missing_effect" else ()
     left = structure_left(outcome)
     is_fixed = outcome.fit.model.share is None and all(link.confidence is None for link in robot.links)
-    if (left.max(initial=0.0) <= 1 and is_fixed) or robot.covariance is not None:
-        # Nothing is left for other numbers, or they are known.
+    if (left.max(initial=0.0) <= 1 and is_fixed) or robot.covariance is not None or logs.stand:
+        # Nothing is left for other numbers, they are known, or one torque a joint says nothing of them.
         done = apply_amendments(robot, [amendment(f) for f in named])
         own = Renumbered(done.robot, done.origins, named, is_refitted=False)
         return Settled(verdict, findings, own, left)
@@ -147,5 +152,7 @@ def completed(
         model, amendments = more.robot, [*amendments, *(amendment(f) for f in added)]
         origins = tuple(None if k is None else origins[k] for k in more.origins)
         verdict = "missing_effect" if verdict == "consistent" else verdict
+    elif logs.stand:
+        verdict = "unexplained"
     words = stiff_words(robot, by_encoders)
     return Completed(model, origins, tuple(amendments), gap, findings, verdict, words)

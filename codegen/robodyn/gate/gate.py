@@ -144,8 +144,8 @@ def _inspect(
     joints, saturated = content(
         grid, smooth, robot, moves=moves, torque_step=steps[1], torque_noise=floor, flags=flags
     )
-    if (np.ptp(grid.log.q, axis=0) <= motions(robot, limits.LEAST_ANGLE)).all():
-        flags.append(Flag("at_rest", "q", (), "the arm stands still: only contacts and a constant load show"))
+    if (np.ptp(grid.log.q, axis=0) <= motions(robot, limits.LEAST_ANGLE)).all() or not moves.any():
+        flags.append(Flag("at_rest", "q", (), "no joint moves: only contacts show"))
     length = sum(part.stop - part.start for part in grid.segments) * grid.period
     if 1 / grid.period < limits.SLOW_RATE:
         text = f"{1 / grid.period:.4g} samples a second: too few for effects at reversals, delay, elasticity"

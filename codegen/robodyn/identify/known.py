@@ -89,7 +89,10 @@ def with_covariance_of(robot: Robot, text: str, source: str) -> Robot:
     assert robot.covariance is not None
     size = 11 * robot.n
     try:
-        data = json.loads(text)["covariance"]
+        data = json.loads(text)
+        if not isinstance(data, dict) or not isinstance(data.get("covariance"), dict):
+            raise ValueError("no object `covariance`")
+        data = data["covariance"]
         values, root = (np.array(data[key], dtype=float) for key in ("values", "root"))
         most = np.finfo(np.float32).max  # a square is finite
         if not all(np.all(np.abs(x) < most) for x in (values, root)):

@@ -49,6 +49,8 @@ def _verdict(diagnosis: Diagnosis, validated: bool) -> tuple[str, list[str], lis
         claim, joint, leaves = _consistent(diagnosis, validated)
         return f"{name} {claim}{joint}{leaves}.", [f"{name} {claim}", f"the model {claim}"], [leaves], ""
     if diagnosis.verdict == "unexplained":
+        if "stands" in diagnosis.extra:
+            return f"{name}: {diagnosis.extra['stands']}.", [capital(diagnosis.extra["stands"])], [], ""
         worst = words.worst_joint(diagnosis.left)
         parts = [] if worst is None else [f"It is largest at joint {worst}"]
         return f"{'. '.join([_UNEXPLAINED, *parts])}.", [_UNEXPLAINED], parts, ""

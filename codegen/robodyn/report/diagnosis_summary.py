@@ -77,6 +77,8 @@ def _missing(diagnosis: Diagnosis, validated: bool) -> tuple[str, str]:
         return "Nothing", "no effect is worth adding"
     if words.is_touched_only(diagnosis):
         return "Nothing", "but something outside touched the arm"
+    if diagnosis.verdict == "unexplained" and "stands" in diagnosis.extra:
+        return "Not observed", "no joint moves in these logs"
     if diagnosis.verdict == "unexplained" or not lacking:
         return "Something", "that no effect of the catalogue explains"
     noisy = words.joints_above_noise(diagnosis, validated)
@@ -103,7 +105,7 @@ def _where(diagnosis: Diagnosis, places: Sequence[Localised]) -> tuple[str, str,
         where, when = words.touched_at(lacking[0])
         return "Where and when", capital(where), when or share
     if diagnosis.verdict == "unexplained":
-        answer = f"joint {top.joint}"
+        answer = "not observed" if "stands" in diagnosis.extra else f"joint {top.joint}"
         if math.isfinite(top.left) and top.left > 1:
             share = f"{formatted(top.left)} times what would matter is left there"
     else:

@@ -36,16 +36,10 @@ class Scope:
         return self.joints is None or joint in self.joints
 
     def at_rest(self) -> Scope:
-        """Of an arm that stands: loads and constant torques alone; stiction leaves nothing of friction."""
-        shown = {
-            each.id
-            for each in CATALOGUE.values()
-            if each.traits.body
-            or (each.traits.fold is not None and each.traits.fold.into in ("link", "gravity"))
-            or (each.traits.channel is not None and each.traits.channel.acts == "bias")
-            or each.place == "outside"
-        }
-        return replace(self, without=self.without | (set(CATALOGUE) - shown))
+        """Of an arm that stands: nothing but contacts. Its torques are one number a joint, which a load, a
+        wrong mass, a tilt and an offset explain alike, and stiction leaves nothing of friction."""
+        inside = {each.id for each in CATALOGUE.values() if each.place != "outside"}
+        return replace(self, without=self.without | inside)
 
     def allows(self, id: str, joint: int | None) -> bool:
         """Whether the effect is looked for there."""
