@@ -28,9 +28,12 @@ def named(effect: str, seed: int) -> tuple[Finding, Amendment]:
 def test_a_gas_spring_is_named_with_its_torque(seed: int) -> None:
     found, hidden = named("gas_spring", seed)
     assert found.effect == "gas_spring"
-    for name, near in (("torque", {"rel": 0.15}), ("dead_center", {"abs": 0.12})):
-        true = float(hidden.parameters[name])
-        assert float(found.parameters[name].value) == pytest.approx(true, **near)
+    for name in ("torque", "dead_center", "ratio"):
+        # Of its curve too: torque and rise fit alike with another ratio, which an error by itself leaves out.
+        one, true = found.parameters[name], float(hidden.parameters[name])
+        assert one.stderr is not None
+        low, high = one.bounds or (float(one.value) - 2 * one.stderr, float(one.value) + 2 * one.stderr)
+        assert (low or -np.inf) <= true <= (high or np.inf)
 
 
 @pytest.mark.thorough

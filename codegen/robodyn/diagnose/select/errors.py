@@ -24,6 +24,7 @@ from robodyn.diagnose.select.limits import (
     VAGUE,
 )
 from robodyn.diagnose.select.members import Fit, Member
+from robodyn.diagnose.select.rows import Rows
 from robodyn.effects.catalogue import CATALOGUE
 
 
@@ -82,15 +83,21 @@ def sureness(fit: Fit) -> list[Sure]:
             continue
         k = next(i for i, one in enumerate(exact) if one is member)
         places = [(first + i, name) for i, (which, name) in enumerate(model.places) if which == k]
-        done.append(_of_law(member, places, spread))
+        done.append(_of_law(member, places, spread, model.rows))
     return done
 
 
-def _of_law(member: Member, places: list[tuple[int, str]], spread: Floats) -> Sure:
+def _of_law(member: Member, places: list[tuple[int, str]], spread: Floats, rows: Rows) -> Sure:
+    """At what instant of a sample's period a torque is read the log does not say, so a delay is known to a
+    uniform part of one at best."""
     errors, bounds = dict[str, float](), dict[str, Bounds]()
     for i, name in places:
         value = float(member.parameters[name])
-        error = float(np.hypot(np.sqrt(max(spread[i, i], 0.0)), STRIKE_ACCURACY * value * _strikes(member)))
+        if member.is_delay:
+            beside = rows.contexts[0].signals.period / np.sqrt(12)
+        else:
+            beside = STRIKE_ACCURACY * value * _strikes(member)
+        error = float(np.hypot(np.sqrt(max(spread[i, i], 0.0)), beside))
         errors[name] = error
         if member.is_size(name) and error > 0:  # in logarithms: a size has no interval beyond zero
             if error < VAGUE * abs(value):

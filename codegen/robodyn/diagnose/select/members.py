@@ -27,13 +27,15 @@ from robodyn.errors import InputError
 @dataclass(frozen=True, slots=True, eq=False)
 class Member:
     """An effect that is in: its ``parameters``; or, where it has a prior and so is a part of the arm's own
-    numbers, ``columns`` [N, n, c] of its standard parameters, in units of the prior."""
+    numbers, ``columns`` [N, n, c] of its standard parameters, in units of the prior; ``is_shaped``: numbers
+    that shape its curve are fitted too."""
 
     key: Key
     family: Family
     k: int
     parameters: dict[str, float | str]
     columns: Floats | None = None
+    is_shaped: bool = False
 
     @property
     def is_linear(self) -> bool:
@@ -49,7 +51,7 @@ class Member:
     def free(self) -> list[str]:
         """The numbers that logs say."""
         traits = CATALOGUE[self.key[0]].traits
-        kept = {*traits.chosen, *traits.shape}
+        kept = traits.chosen if self.is_shaped else (*traits.chosen, *traits.shape)
         return [
             name for name, x in self.parameters.items() if isinstance(x, float) and x and name not in kept
         ]
@@ -61,6 +63,12 @@ class Member:
         alike = linear if name in linear else ()
         others = tuple((each, x) for each, x in sorted(self.parameters.items()) if each not in alike)
         return (*self.key, name, others)
+
+    @property
+    def is_delay(self) -> bool:
+        """Whether it says how late a torque is."""
+        channel = CATALOGUE[self.key[0]].traits.channel
+        return channel is not None and channel.acts == "delay"
 
     def is_size(self, name: str) -> bool:
         """Whether a number keeps its sign."""
@@ -92,6 +100,11 @@ class Model:
     def places(self) -> list[tuple[int, str]]:
         """The numbers that are fitted: of which exact member, and which."""
         return [(k, name) for k, one in enumerate(self.exact) for name in one.free]
+
+    @property
+    def delays(self) -> list[int | None]:
+        """The joints (from 1; None: all alike) of which a delay of the torque is among the members."""
+        return [one.key[1] for one in self.members if one.is_delay]
 
     def with_members(self, members: Iterable[Member]) -> Model:
         """The same with other members."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,14 +15,15 @@ from robodyn.diagnose.select.members import Fit, Model, fitted
 from robodyn.diagnose.select.prior import prior_scales
 from robodyn.diagnose.select.rows import Rows
 from robodyn.diagnose.select.score import Trial, held_out
+from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.known import spread_of
 from robodyn.robot.parts import SHARE_NOT_STATED
 
 
-def own_numbers(rows: Rows, share: float, *, is_timed: bool = False) -> Floats:
+def own_numbers(rows: Rows, share: float) -> Floats:
     """Torques [N, n, p] by combinations of the arm's own numbers, in units of what is known of them
     beforehand, those that show: by their covariance, or by what is stated of them and the ``share`` of those
-    of which nothing is; ``is_timed``: and by half a sample for which each torque is read late."""
+    of which nothing is."""
     model = rows.contexts[0].model
     regressor = np.concatenate([regressor_seen(c) for c in rows.contexts])
     spread = spread_of(model.robot, prior_scales(model, float(SHARE_NOT_STATED)))
@@ -33,23 +34,26 @@ def own_numbers(rows: Rows, share: float, *, is_timed: bool = False) -> Floats:
         columns = np.concatenate([regressor, rotors], axis=2) @ spread.T
     flat = (columns * np.sqrt(rows.weight)[:, :, None]).reshape(-1, columns.shape[2])
     _, sizes, ways = np.linalg.svd(flat.T @ flat, hermitian=True)
-    numbers = np.asarray(columns @ ways[np.sqrt(sizes) > LEAST_SHOWN].T)
-    return np.concatenate([numbers, _by_lateness(rows)], axis=2) if is_timed else numbers
+    return np.asarray(columns @ ways[np.sqrt(sizes) > LEAST_SHOWN].T)
 
 
-def _by_lateness(rows: Rows) -> Floats:
-    """Torques [N, n, n] by half a sample for which each joint's is read later than its position."""
+def _by_lateness(rows: Rows, delays: Sequence[int | None]) -> Floats:
+    """Torques [N, n, n] by half a sample for which each joint's is read later than its position; of joints
+    with ``delays`` (from 1; None: all) that is a part of the delay."""
+    is_open = np.array([not {None, joint} & set(delays) for joint in range(1, rows.n + 1)])
     parts = []
     for c in rows.contexts:
         s = c.signals
         rate = np.gradient(s.filtered(s.tau), s.period, axis=0)
         parts.append(s.thinned(s.filtered(rate)) * s.period / 2)
-    return np.asarray(np.concatenate(parts)[:, :, None] * np.eye(rows.n))
+    return np.asarray(np.concatenate(parts)[:, :, None] * np.diag(is_open))
 
 
 def with_own_numbers(model: Model, share: float | None, *, is_timed: bool) -> Model:
     """The model beside its arm's own numbers, where nothing is stated of them wrong by the ``share``."""
-    columns = own_numbers(model.rows, share or 0.0, is_timed=is_timed)
+    columns = own_numbers(model.rows, share or 0.0)
+    if is_timed:
+        columns = np.concatenate([columns, _by_lateness(model.rows, model.delays)], axis=2)
     return replace(model, own=columns, share=share, is_timed=is_timed)
 
 
@@ -106,8 +110,11 @@ def timed(fit: Fit, threshold: float) -> Fit | None:
     return other if np.abs(other.x[late]).max() <= 1 else None
 
 
-def with_reading_time(fit: Fit) -> Fit:
-    """The fit beside when torques were read, in any case: without it intervals are too narrow."""
-    if fit.model.is_timed:
+def last_fit(fit: Fit) -> Fit:
+    """The fit beside when torques were read, and with numbers that shape a curve free, in any case: without
+    these intervals are too narrow."""
+    is_shaped = any(CATALOGUE[one.key[0]].traits.shape for one in fit.model.members)
+    if fit.model.is_timed and not is_shaped and not fit.model.delays:
         return fit
-    return fitted(with_own_numbers(fit.model, fit.model.share, is_timed=True)) or fit
+    members = [replace(one, is_shaped=True) for one in fit.model.members]
+    return fitted(with_own_numbers(fit.model.with_members(members), fit.model.share, is_timed=True)) or fit

@@ -13,7 +13,7 @@ from robodyn.diagnose.select.families import families
 from robodyn.diagnose.select.limits import MOST_MEMBERS
 from robodyn.diagnose.select.members import Fit, Model, fitted
 from robodyn.diagnose.select.noise import dry_friction, with_noise_of
-from robodyn.diagnose.select.nuisance import own_numbers, throughout, timed, widened, with_reading_time
+from robodyn.diagnose.select.nuisance import last_fit, own_numbers, throughout, timed, widened
 from robodyn.diagnose.select.outcome import Found, Outcome
 from robodyn.diagnose.select.resolution import foretold, likelier_speeds
 from robodyn.diagnose.select.rows import rows_of
@@ -117,7 +117,7 @@ def search(
     assert begun is not None
     one = Search(gates, rows, found, dry, tell, scope)
     fit, last = one.run(begun)
-    final = with_reading_time(fit)
+    final = last_fit(fit)
     return Outcome(tuple(_found(one, fit, final)), final, begun, tuple(last))
 
 
