@@ -166,3 +166,27 @@ def test_a_wrist_in_another_order(clean: Log, described: Robot) -> None:
     order = [0, 1, 2, 4, 3, 5]
     with pytest.raises(InputError, match="joints 4 and 5: swapped"):
         inspect(replace(clean, q=clean.q[:, order], tau=clean.tau[:, order]), described)
+
+
+@pytest.mark.parametrize("down", [(9.81, 0, 0), (0, -9.81, 0), (0, 0, 9.81), (0, 6.9, -6.9)])
+def test_an_arm_that_is_mounted_otherwise(
+    clean: Log, ur10: Robot, described: Robot, down: tuple[float, float, float]
+) -> None:
+    gravity = dict(zip("xyz", map(Fraction, down), strict=True))
+    mounted = replace(ur10, gravity=(gravity["x"], gravity["y"], gravity["z"]))
+    weights = [
+        Reference(each).inverse_dynamics(clean.q, 0 * clean.q, 0 * clean.q) for each in (ur10, mounted)
+    ]
+    with pytest.raises(InputError, match=r"gravity: acts along") as refused:
+        inspect(replace(clean, tau=clean.tau + weights[1] - weights[0]), described)
+    assert refused.value.remedy is not None
+    found = np.array([float(x) for x in re.findall(r"-?[\d.]+", refused.value.remedy)[:3]])
+    assert found @ np.array(down) > 0.95 * np.linalg.norm(found) * np.linalg.norm(down)
+
+
+def test_a_log_of_which_no_reading_is_like_the_model_has_no_map_that_mends_it(
+    clean: Log, described: Robot
+) -> None:
+    with pytest.raises(InputError, match=r"however the log is read|nothing of the torque is like") as refused:
+        inspect(replace(clean, tau=clean.tau[::-1].copy()), described)
+    assert refused.value.remedy == "see whether the log is of another robot or run, and in SI units"

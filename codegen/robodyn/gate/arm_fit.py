@@ -9,7 +9,7 @@ bear against their prior; rows that say the same count once together.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
@@ -84,7 +84,8 @@ class ArmFit:
 
     def __init__(self, robot: Robot, states: States) -> None:
         self.states, self.n = states, robot.n
-        self._model = Model(_without_friction(robot))
+        self._robot = _without_friction(robot)
+        self._model = Model(self._robot)
         sd = _prior(robot, self._model)
         x = np.random.default_rng(0).standard_normal((3, 5 * robot.n, robot.n))
         Y = self._model.regressor(*x).reshape(-1, len(sd)) * sd
@@ -100,7 +101,9 @@ class ArmFit:
 
     def table(self, reading: Reading) -> Table:
         """The ``reading`` along the log."""
-        columns, model = self._along(reading.order, reading.scale, reading.zero, reading.gravity)
+        columns, model = self._along(
+            reading.order, reading.scale, reading.zero, reading.gravity, reading.down
+        )
         channels, factor = list(reading.tau_order), np.array(reading.tau_scale)
         tau = self.states.torque(reading.late)[:, channels] * factor
         table = np.concatenate([columns, (tau.T - model)[..., None]], axis=2)
@@ -108,13 +111,15 @@ class ArmFit:
         return Table(table, model, (self.states.way[:, channels] ** 2).T, np.abs(factor), floor)
 
     def _states(
-        self, order: tuple[int, ...], scale: tuple[float, ...], zero: tuple[float, ...], gravity: str
-    ) -> tuple[Floats, Floats]:
+        self, order: tuple[int, ...], scale: tuple[float, ...], zero: tuple[float, ...], gravity: str,
+        down: tuple[float, ...],
+    ) -> tuple[Floats, Floats]:  # fmt: skip
         """The columns [n, K, r + 7] of states read so, and the model's torque [n, K]."""
         s = self.states
         q, qd, qdd, way = (x[:, list(order)] * np.array(scale) for x in (s.q, s.qd, s.qdd, s.way))
         q = q - np.array(zero)
-        Y, m = self._model.regressor(q, qd, qdd), self._model.torque(q, qd, qdd)
+        arm = self._under(down) if down else self._model
+        Y, m = arm.regressor(q, qd, qdd), arm.torque(q, qd, qdd)
         if gravity != "whole":
             m = m - self._model.torque(q, 0 * q, 0 * q)
         if gravity == "none":
@@ -125,6 +130,26 @@ class ArmFit:
         table = np.stack(own, axis=2).swapaxes(0, 1)
         table = table / (np.sqrt((table**2).mean(axis=1, keepdims=True)) + 1e-12)
         return np.concatenate([Y.swapaxes(0, 1), table], axis=2), m.T
+
+    def _under(self, gravity: Sequence[float]) -> Model:
+        """The arm under another ``gravity`` [3], in the frame that it is described in."""
+        x, y, z = map(Fraction, gravity)
+        return Model(replace(self._robot, gravity=(x, y, z)))
+
+    def gravity(self, table: Table) -> Floats:
+        """The gravity [3] under which the arm as described leaves least of the torques beside friction."""
+        q = self.states.q
+        bare, *parts = (self._under(g).torque(q, 0 * q, 0 * q).T for g in np.eye(4, 3, -1))
+        gravity = np.stack([part - bare for part in parts], axis=2)  # [n, K, 3]
+        y = table.columns[..., -1:] + gravity @ np.array([*map(float, self._robot.gravity)])[:, None]
+        A, weight = np.concatenate([gravity, y], axis=2), np.sqrt(table.weight)[..., None]
+        rows = []
+        for a, w, columns in zip(A, weight, table.columns, strict=True):
+            friction = w * columns[:, self.friction]
+            left = w * a - friction @ np.linalg.lstsq(friction, w * a, rcond=1e-9)[0]
+            rows.append(left / (np.linalg.norm(left[:, -1]) + 1e-12))
+        left = np.concatenate(rows)
+        return np.asarray(np.linalg.lstsq(left[:, :3], left[:, 3], rcond=1e-9)[0])
 
     def solve(self, grams: Floats, counts: Floats, floor: Floats, looseness: float) -> Solution:
         """Least squares of ``grams`` [..., n, L, L] of ``counts`` [..., n] rows, the numbers' deviations

@@ -95,10 +95,28 @@ class Comparison:
             text = "the torques have no gravity: as a controller gives them that compensates it"
             one = replace(base, kind="perhaps_no_gravity", where=everyone, text=text, gravity="error")
             yield from (self._trial(one), self._trial(replace(one, gravity="none")))
+        if base.gravity == "whole" and any(self.robot.gravity):
+            yield from self._mounted()
         if base.looseness == 1:
             text = "nothing else than masses and inertias far from the description's explains the torques"
             one = replace(base, kind="description_off", where=self.robot.name, text=text)
             yield self._trial(replace(one, looseness=limits.LOOSENED))
+
+    def _mounted(self) -> Iterator[Trial]:
+        """The arm on a wall, a slope or a ceiling where its description has it elsewhere; a tilt by little is
+        an effect."""
+        described = np.array([*map(float, self.robot.gravity)])
+        size, down = np.linalg.norm(described), self.arm.gravity(self.base.table)
+        if described @ down < math.cos(limits.TILT) * size * np.linalg.norm(down):
+            down = 0.1 * np.rint(10 * size * down / np.linalg.norm(down))
+            vector = f"[{', '.join(f'{x + 0:.3g}' for x in down)}]"
+            yield self._trial(
+                replace(
+                    self.base.reading, kind="mounting", where="gravity", down=tuple(down.tolist()),
+                    text=f"acts along {vector}, the arm being mounted otherwise than described",
+                    remedy=f"write gravity in the description as the arm is mounted: about {vector}",
+                )
+            )  # fmt: skip
 
     # --- readings with a number, by Gauss and Newton -----------------------------------------------------
 

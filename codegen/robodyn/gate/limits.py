@@ -237,6 +237,10 @@ ALIKE_GAIN: Final = 0.5
 MOST_SCALE: Final = 5.0
 """[-] Torques of all joints so many times the model's, or a part of it, are of another unit."""
 
+TILT: Final = 0.5
+"""[rad] A base that is tilted by less is an effect that a diagnosis names (docs/effects.md); by more it is
+mounted otherwise. A choice."""
+
 UNLIKE: Final = 0.7
 """[share of variance] A joint of which the arm leaves more of what friction leaves is unlike the model; one
 of which the description's torque explains more of it is like it."""

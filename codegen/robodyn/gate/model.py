@@ -7,6 +7,8 @@ description's are flagged.
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,6 +20,8 @@ from robodyn.gate.flag import Flag, motions, named, refuse
 from robodyn.gate.smooth import Smooth
 from robodyn.robot.model import Robot
 from robodyn.simulate.sensors import measured_position
+
+_ANOTHER: Final = "see whether the log is of another robot or run, and in SI units"
 
 
 def check_model(
@@ -65,19 +69,24 @@ def check_model(
         if not better:
             break
         best = _chosen(better)
-        if best.reading.remedy:
-            _tell(best, comparison.base, better)
         one = best.reading
+        read_so = Comparison(comparison.arm, robot, comparison.largest, one)
+        if one.remedy:
+            _refuse_unlike(read_so)
+            _tell(best, comparison.base, better)
         flags[:] = [flag for flag in flags if (flag.kind, flag.where) != (one.kind, one.where)]
         flags.append(Flag(one.kind, one.where, (), one.text, one.joints))
-        comparison = Comparison(comparison.arm, robot, comparison.largest, best.reading)
+        comparison = read_so
     _compare_shapes(comparison.beside_friction()[2], flags)
 
 
 def _chosen(better: list[Trial]) -> Trial:
-    """Of what is about as likely as the best: what has another name before the description is blamed; of
-    gains that of the fewest joints."""
+    """Of what is about as likely as the best: another mounting, which a zero half a turn off may look like;
+    what has another name before the description is blamed; of gains that of the fewest joints."""
     alike = [one for one in better if one.gain > limits.ALIKE_GAIN * better[0].gain]
+    mounted = [one for one in alike if one.reading.down]
+    if mounted:
+        return mounted[0]
     alike = [one for one in alike if one.reading.looseness < limits.LOOSENED] or alike
     same = [one for one in alike if one.reading.kind == alike[0].reading.kind]
     return alike[0] if alike[0].reading.remedy else min(same, key=lambda one: len(one.reading.joints))
@@ -86,7 +95,10 @@ def _chosen(better: list[Trial]) -> Trial:
 def _tell(best: Trial, base: Trial, better: list[Trial]) -> None:
     """Refuse what is in another order, unit or sign; what explains torques about as well is named beside."""
     likely = [one.reading for one in better if one.gain > limits.ALIKE_GAIN * best.gain]
-    alike = [best.reading, *(one for one in likely if one.remedy)]
+    alike = [
+        best.reading,
+        *(one for one in likely if one.remedy or (best.reading.down and one.kind == "zero")),
+    ]
     was, now = (one.reading.by_channel(np.sqrt(one.fit.variance) / one.table.factor) for one in (base, best))
     joints = np.flatnonzero(was > limits.LEAST_RELIEF * now).tolist() or [int(np.argmax(was / now))]
     shares = ", ".join(f"{j + 1}: {was[j]:.2g} to {now[j]:.2g}" for j in joints)
@@ -94,9 +106,24 @@ def _tell(best: Trial, base: Trial, better: list[Trial]) -> None:
         " or ".join(dict.fromkeys(f"{one.where}: {one.text}" for one in alike)),
         found="torques unlike the model's; read otherwise, what the model leaves of them falls (RMS of "
         f"joint {shares} N m or N)",
-        expected="SI units, and the signs and the order of the robot's joints",
-        remedy=" or ".join(dict.fromkeys(one.remedy for one in alike)),
+        expected="SI units, the signs and the order of the robot's joints, and the arm as it is mounted",
+        remedy=" or ".join(dict.fromkeys(one.remedy for one in alike if one.remedy)),
     )
+
+
+def _refuse_unlike(best: Comparison) -> None:
+    """Refuse a log with a joint that is unlike the model in the best of its readings too: that one mends
+    nothing."""
+    share = np.nan_to_num(best.beside_friction()[2])
+    worst, one = int(np.argmax(share)), best.base.reading
+    if share[worst] > limits.UNLIKE:
+        refuse(
+            f"tau{worst + 1}: unlike the model's torque, however the log is read",
+            found=f"the best other reading ({one.where}: {one.text}) leaves {share[worst]:.0%} of its "
+            "variance beside friction",
+            expected="torques of this robot in this motion",
+            remedy=_ANOTHER,
+        )
 
 
 def _refuse_units(tau: Floats, torque: Floats) -> None:
@@ -149,7 +176,7 @@ def _compare_shapes(unlike: Floats, flags: list[Flag]) -> None:
             f"{where}: nothing of the torque is like the model's",
             found=f"the arm leaves {min(unlike[telling]):.0%} or more of the variance beside friction",
             expected="torques of this robot in this motion",
-            remedy="see whether the log is of another robot or run, and in SI units",
+            remedy=_ANOTHER,
         )
     text = "nothing of the torque is like the model's: another robot, or another unit?"
     flags.append(Flag("unlike_model", where, (), text, (telling[0] + 1,)))
