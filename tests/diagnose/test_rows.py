@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 
 from diagnose.plain_arms import SLIDE, TURNTABLE, logged, read
+from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.select.families import families
 from robodyn.diagnose.select.noise import rest_of
+from robodyn.diagnose.select.nuisance import own_numbers
 from robodyn.diagnose.select.rows import Rows, rows_of
 from robodyn.diagnose.select.scope import Scope
 from robodyn.gate.gate import inspect
@@ -60,3 +62,11 @@ def test_a_law_within_the_speeds_that_are_not_resolved_is_no_candidate(text: str
         assert all(velocity > rows.expected[0] for velocity in velocities)
         seen.append(len(velocities))
     assert seen[0] > seen[1] > seen[2]
+
+
+def test_a_tilted_base_shows_the_first_links_weight() -> None:
+    """About a vertical axis only inertia shows; where the base tilts, also where the mass is in the plane."""
+    arm = read(TURNTABLE)
+    rows = rows_of(arm, [inspect(logged(arm), arm)])
+    tilt = Amendment("base_tilt", None, {"tilt_x": 0.1, "tilt_y": 0.05})
+    assert [own_numbers(rows, 0.3, tilts).shape[2] for tilts in ([], [tilt])] == [1, 3]

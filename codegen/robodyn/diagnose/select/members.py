@@ -106,6 +106,12 @@ class Model:
         """The joints (from 1; None: all alike) of which a delay of the torque is among the members."""
         return [one.key[1] for one in self.members if one.is_delay]
 
+    @property
+    def tilts(self) -> list[Amendment]:
+        """What the members do to the direction of gravity."""
+        folds = [(CATALOGUE[one.key[0]].traits.fold, one.amendment) for one in self.exact]
+        return [amendment for fold, amendment in folds if fold is not None and fold.into == "gravity"]
+
     def with_members(self, members: Iterable[Member]) -> Model:
         """The same with other members."""
         return replace(self, members=tuple(members))

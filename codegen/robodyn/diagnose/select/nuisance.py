@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from robodyn.arrays import Floats
+from robodyn.diagnose.amend.amend import Amendment, amended
 from robodyn.diagnose.select.compare import ahead, foretells, is_of_link
 from robodyn.diagnose.select.library import regressor_seen, rotors_seen
 from robodyn.diagnose.select.limits import LEAST_SHOWN, PRACTICAL, SHARES
@@ -17,15 +18,20 @@ from robodyn.diagnose.select.rows import Rows
 from robodyn.diagnose.select.score import Trial, held_out
 from robodyn.effects.catalogue import CATALOGUE
 from robodyn.identify.known import spread_of
+from robodyn.kernels.array_dynamics import Model as ArrayModel
 from robodyn.robot.parts import SHARE_NOT_STATED
 
 
-def own_numbers(rows: Rows, share: float) -> Floats:
+def own_numbers(rows: Rows, share: float, tilts: Sequence[Amendment] = ()) -> Floats:
     """Torques [N, n, p] by combinations of the arm's own numbers, in units of what is known of them
     beforehand, those that show: by their covariance, or by what is stated of them and the ``share`` of those
-    of which nothing is."""
-    model = rows.contexts[0].model
-    regressor = np.concatenate([regressor_seen(c) for c in rows.contexts])
+    of which nothing is. On a base that ``tilts`` a first link has a weight that a level one does not
+    show."""
+    model, contexts = rows.contexts[0].model, rows.contexts
+    if tilts:
+        model = ArrayModel(amended(rows.robot, tilts), sticking=rows.speeds)
+        contexts = tuple(replace(c, model=model, kept={}) for c in contexts)
+    regressor = np.concatenate([regressor_seen(c) for c in contexts])
     spread = spread_of(model.robot, prior_scales(model, float(SHARE_NOT_STATED)))
     if spread is None:
         columns = regressor * prior_scales(model, share).reshape(-1)
@@ -51,7 +57,7 @@ def _by_lateness(rows: Rows, delays: Sequence[int | None]) -> Floats:
 
 def with_own_numbers(model: Model, share: float | None, *, is_timed: bool) -> Model:
     """The model beside its arm's own numbers, where nothing is stated of them wrong by the ``share``."""
-    columns = own_numbers(model.rows, share or 0.0)
+    columns = own_numbers(model.rows, share or 0.0, model.tilts)
     if is_timed:
         columns = np.concatenate([columns, _by_lateness(model.rows, model.delays)], axis=2)
     return replace(model, own=columns, share=share, is_timed=is_timed)

@@ -26,6 +26,7 @@ from robodyn.diagnose.select.limits import (
     RIVAL_LEAST,
 )
 from robodyn.diagnose.select.members import Fit, Member, fitted, solve
+from robodyn.diagnose.select.nuisance import with_own_numbers
 from robodyn.diagnose.select.rows import Rows, rows_of, with_noise
 from robodyn.diagnose.select.scope import Scope
 from robodyn.diagnose.select.score import Trial, trials
@@ -170,7 +171,10 @@ class Steps:
             other = tuned(beside, each)
             self._swap({id(each.family): other.family})
             better_ones.append(other)
-        return fitted(fit.model.with_members([*members, *better_ones]), rounds)
+        model = fit.model.with_members([*members, *better_ones])
+        if model.tilts != fit.model.tilts:
+            model = with_own_numbers(model, model.share, is_timed=model.is_timed)
+        return fitted(model, rounds)
 
     def _swap(self, others: Mapping[int, Family]) -> None:
         """Families in the place of some, by these."""
