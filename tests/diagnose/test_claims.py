@@ -5,15 +5,20 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from statistics import NormalDist
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
+from robodyn.diagnose.findings import laws_at_rest
 from robodyn.diagnose.refit import _with_estimates, without_vague_claim
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.compare import ahead
 from robodyn.diagnose.select.limits import ODDS
 from robodyn.diagnose.select.odds import odds
+from robodyn.effects.friction import COULOMB, STRIBECK, VISCOUS
+from robodyn.effects.rigid import PAYLOAD
 
 
 @pytest.mark.parametrize(("stderr", "is_claim"), [(0.4, True), (0.6, False), (None, True)])
@@ -60,3 +65,11 @@ def test_the_more_is_left_the_less_sure_is_a_name() -> None:
     alone = [odds([], share) for share in (0.0, 0.3, 0.6, 0.9, 1.0)]
     assert alone == sorted(set(alone))
     assert 0 < alone[0] < alone[-1] < 1
+
+
+def test_what_changes_where_directions_are_not_resolved_is_a_rival_of_plain_friction() -> None:
+    """Joint 1 is unresolved up to twice the speed that its rates and encoders make so, joint 2 is not."""
+    rows: Any = SimpleNamespace(speeds=np.array([0.1, 0.02]), expected=np.array([0.05, 0.05]))
+    assert list(laws_at_rest((COULOMB.id, 1), rows)) == [STRIBECK.id]
+    for key in ((COULOMB.id, 2), (STRIBECK.id, 1), (VISCOUS.id, 1), (PAYLOAD.id, None)):
+        assert laws_at_rest(key, rows) == {}

@@ -10,11 +10,14 @@ from robodyn.diagnose.refit import without_vague_claim
 from robodyn.diagnose.result import Estimate, Finding, Rival
 from robodyn.diagnose.select.compare import ahead, overlap, special_cases
 from robodyn.diagnose.select.errors import Sure, body_parameters, sureness
+from robodyn.diagnose.select.families import SPEED, Key
 from robodyn.diagnose.select.limits import OVERLAP, RIVAL, RIVAL_LEAST
 from robodyn.diagnose.select.odds import odds
 from robodyn.diagnose.select.outcome import Found, Outcome
+from robodyn.diagnose.select.rows import Rows
 from robodyn.diagnose.select.score import Trial
 from robodyn.effects.catalogue import CATALOGUE
+from robodyn.effects.traits import Law
 from robodyn.robot.model import Robot
 
 
@@ -42,12 +45,15 @@ def _finding(robot: Robot, outcome: Outcome, one: Found, sure: Sure) -> Finding:
     }
     together = {name: Estimate(value, error, "") for name, (value, error) in sure.together.items()}
     rivals = rivals_of(one)
-    close = sorted({each.effect for each, z, _ in rivals if z < RIVAL})
+    slow = laws_at_rest(one.member.key, outcome.fit.model.rows)
+    close = sorted({*slow, *(each.effect for each, z, _ in rivals if z < RIVAL)})
     j = int(trial.at.argmax())
     place = f"joint {joint}" if joint else "the whole robot"
     where = f"{place}: {entry.signature}; seen best at joint {j + 1}"
     experiment = f"to tell it from {', '.join(close)}: {entry.separates}" if close else None
-    against = [(z, more) for _, z, more in rivals]
+    against = [(z, more) for _, z, more in rivals] + [
+        (0.0, more - trial.family.order) for more in slow.values()
+    ]
     if one.throughout is not None:
         z = ahead(trial.gains - one.throughout)
         against.append((z, 0.0))
@@ -87,6 +93,23 @@ def rivals_of(one: Found) -> list[tuple[Rival, float, float]]:
         rival = Rival(first.effect, first.joint, other.gain, gains, why_not(other, trial, z))
         found[key] = rival, z, other.family.order - trial.family.order
     return sorted(found.values(), key=lambda each: each[1])
+
+
+def laws_at_rest(key: Key, rows: Rows) -> dict[str, float]:
+    """Laws, with their orders, that have this one as a special case and change with the speed, where the log
+    wants directions of its joint to be unresolved at higher speeds than its rates and encoders make them so:
+    something changes below, of which it cannot tell what."""
+    id, joint = key
+    if joint is None or rows.speeds[joint - 1] <= rows.expected[joint - 1]:
+        return {}
+    laws = {
+        other.id: one
+        for other in CATALOGUE.values()
+        for one in other.traits.candidates
+        if isinstance(one, Law) and id in special_cases(other.id)
+    }
+    speeds = {id: {p.name for p in CATALOGUE[id].parameters if p.unit == SPEED} for id in laws}
+    return {id: float(one.order) for id, one in laws.items() if any(speeds[id] & set(x) for x in one.grid)}
 
 
 def _is_no_more(one: Trial, plain: Trial) -> bool:
