@@ -139,7 +139,7 @@ class ArmFit:
     def gravity(self, table: Table) -> Floats:
         """The gravity [3] under which the arm as described leaves least of the torques beside friction."""
         q = self.states.q
-        bare, *parts = (self._under(g).torque(q, 0 * q, 0 * q).T for g in np.eye(4, 3, -1))
+        bare, *parts = (self._under(g).torque(q, 0 * q, 0 * q).T for g in np.eye(4, 3, -1).tolist())
         gravity = np.stack([part - bare for part in parts], axis=2)  # [n, K, 3]
         y = table.columns[..., -1:] + gravity @ np.array([*map(float, self._robot.gravity)])[:, None]
         A, weight = np.concatenate([gravity, y], axis=2), np.sqrt(table.weight)[..., None]
