@@ -120,3 +120,11 @@ def test_the_version_is_that_of_the_installation_and_costs_no_start_up(tmp_path:
         [sys.executable, "-m", "robodyn", "--version"], capture_output=True, text=True, check=True
     )
     assert done.stdout == f"robodyn {robodyn.__version__}\n"
+
+
+def test_completion_offers_names_that_are_imported_when_they_are_first_used(tmp_path: Path) -> None:
+    code = (
+        "import robodyn\nassert {'load', 'compile', 'diagnose', 'Robot', '__version__'} <= set(dir(robodyn))"
+    )
+    assert not loaded(code, tmp_path) & HEAVY
+    assert [name for name in dir(robodyn) if not hasattr(robodyn, name)] == []

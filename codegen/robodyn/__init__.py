@@ -96,3 +96,8 @@ def __getattr__(name: str) -> Any:
 
         return VERSION
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    """What completion offers: the names that people use."""
+    return [*__all__, "__version__"]
