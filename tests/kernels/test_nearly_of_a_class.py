@@ -47,7 +47,7 @@ def test_so_has_an_arm_of_few_joints(shape: str) -> None:
 
 def test_a_program_that_reaches_nothing_is_refused_with_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(closure, "flaw", lambda *_, **__: "no pose is reached")
-    robot = nearly("slide_across_place", 0)
+    robot = read_text(TWO_SPHERES, warn=lambda _: None)
     with pytest.raises(NoSuchFunction, match="none of the poses they were tried at") as refused:
         proof.prove(robot, FUNCTION, build(robot, FUNCTION, Choice()))
     assert refused.value.exit_code == 2

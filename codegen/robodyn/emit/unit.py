@@ -148,7 +148,8 @@ class Listing:
 
     ``symbol`` of the function in C and its ``name`` elsewhere, the kernel before it, ``branches`` and
     ``joints``; ``near``: whether it is given the reference too, because the arm is redundant or its one
-    solution is searched for from there. Otherwise free joints are at 0.
+    solution is searched for from there. Otherwise free joints are at 0. ``results``: names of
+    the kernel's.
     """
 
     symbol: str
@@ -157,10 +158,20 @@ class Listing:
     branches: int
     joints: int
     near: bool
+    results: tuple[str, ...]
 
-    #: What is true of a solution, by the bit that says so; above them is the branch's number times BRANCH.
-    FLAGS: ClassVar = {"EXISTS": 1, "WITHIN": 2, "SINGULAR": 4}
-    BRANCH: ClassVar = 8
+    #: What is true of a solution, by the bit that says so; above them is the branch's number.
+    ALL: ClassVar = {"EXISTS": 1, "WITHIN": 2, "SINGULAR": 4, "PLACED": 8}
+
+    @property
+    def flags(self) -> dict[str, int]:
+        """Those of this arm."""
+        return {name: bit for name, bit in self.ALL.items() if name.lower() in self.results}
+
+    @property
+    def factor(self) -> int:
+        """What the branch's number is multiplied by."""
+        return 2 * max(self.flags.values())
 
     @property
     def size(self) -> int:
@@ -179,7 +190,8 @@ def listing_of(signature: Signature) -> Listing | None:
     branches = sizes[function.answers.exists]
     joints = sizes[function.answers.solutions] // branches
     near = joints > _POSED or branches == 1
-    return Listing(f"{signature.robot}_{function.name}", function.name, signature, branches, joints, near)
+    name = f"{signature.robot}_{function.name}"
+    return Listing(name, function.name, signature, branches, joints, near, tuple(sizes))
 
 
 _DEVIATIONS = {

@@ -269,6 +269,30 @@ class Solutions(NamedTuple):
         return _rows(self.solutions, (self.exists > 0) & (self.within > 0))
 
 
+class TaskSolutions(NamedTuple):
+    """The same of an arm of four or five joints, which can do less than a pose asks for: ``placed`` [b], 1 or
+    0, says whether a row reaches the tool's place, ``off`` [b] by what angle it misses its rotation [rad].
+    """
+
+    solutions: Array
+    exists: Array
+    within: Array
+    singular: Array
+    solution_count: Array
+    placed: Array
+    off: Array
+
+    @property
+    def reached(self) -> Array | list[Array]:
+        """The rows that reach the whole pose, [k, n]; of N poses a list of N such arrays."""
+        return _rows(self.solutions, self.exists > 0)
+
+    @property
+    def allowed(self) -> Array | list[Array]:
+        """The same within the joints' limits."""
+        return _rows(self.solutions, (self.exists > 0) & (self.within > 0))
+
+
 class NearestSolution(NamedTuple):
     """The branch nearest to the reference of a pose, or of N poses: then every array has N in front.
 
@@ -286,7 +310,7 @@ class NearestSolution(NamedTuple):
 @functools.cache
 def named_results(names: tuple[str, ...]) -> type[tuple[Array, ...]]:
     """The tuple that the results called ``names`` are handed back in."""
-    for kind in (Solutions, NearestSolution):
+    for kind in (Solutions, TaskSolutions, NearestSolution):
         if names == kind._fields:
             return kind
 

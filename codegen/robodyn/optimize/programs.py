@@ -70,7 +70,7 @@ def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Sig
         robot=robot.name,
         function=function,
         inputs=tuple((array.name, array.size_at(n, p, b)) for array in record.inputs),
-        outputs=tuple((array.name, array.size_at(n, p, b)) for array in record.results),
+        outputs=tuple((array.name, size) for array in record.results if (size := array.size_at(n, p, b))),
         parameters=robot.parameters,
         scalar=scalar,
         states=_states(robot) if record.is_recursion and robot.effects else (),

@@ -120,7 +120,7 @@ class PoseSolver:
     @property
     def place_only(self) -> bool:
         """Whether only the place of the tool counts, and its rotation follows."""
-        return self.robot.n <= 3
+        return self.solver.place_only
 
     def pose(self, q: ArrayLike) -> Floats:
         """The tool's frame ``[R p]`` at ``q``: [n] to [3, 4], [K, n] to [K, 3, 4]."""

@@ -28,6 +28,10 @@ EXISTS = Array(
 WITHIN = Array("within", "1 for a row within the joints' limits, else 0", "", shape=("b",))
 SINGULAR = Array("singular", "1 for a branch that meets another or leaves a joint free", "", shape=("b",))
 COUNT = Array("solution_count", "how many branches reach the pose", "", shape=())
+PLACED = Array(
+    "placed", "1 for a branch that reaches the tool's place, if not its rotation", "", shape=("t",)
+)
+OFF = Array("off", "by what angle a branch misses the tool's rotation", "rad", shape=("t",))
 
 SOLUTION = Array("solution", "joint positions", "rad", "m")
 REACHED = Array(
@@ -52,7 +56,8 @@ def _numerical(arm: Arm) -> Numerical | None:
 
 
 def _rows(solved: Solved) -> Sequence[Any]:
-    return [*flat(solved.solutions), *solved.exists, *solved.within, *solved.singular, sum(solved.exists)]
+    flags = (*solved.exists, *solved.within, *solved.singular)
+    return [*flat(solved.solutions), *flags, sum(solved.exists), *solved.placed, *solved.off]
 
 
 def _all_branches(at: Dynamics) -> Sequence[Any]:
@@ -84,7 +89,7 @@ FUNCTIONS = (
         "inverse_kinematics",
         "joint positions that bring the tool to a pose, in all branches",
         (POSE, NEAR),
-        (SOLUTIONS, EXISTS, WITHIN, SINGULAR, COUNT),
+        (SOLUTIONS, EXISTS, WITHIN, SINGULAR, COUNT, PLACED, OFF),
         _all_branches,
         geometric=True,
         iterative=_approached,

@@ -16,8 +16,11 @@ if TYPE_CHECKING:
     from robodyn.dynamics.state import Iterative
 
 #: Elements of a state along one axis: a number, or as many as there are joints (n), base parameters (p), or
-#: branches of the inverse kinematics (b).
-Length = int | Literal["n", "p", "b"]
+#: branches of the inverse kinematics (b; t: of an arm that can do less than a pose asks for, and more than
+#: bring its tool to a place; 0 of others).
+Length = int | Literal["n", "p", "b", "t"]
+#: Joints of such an arm, from the first number to before the second.
+_BETWEEN = range(4, 6)
 
 
 class Array(NamedTuple):
@@ -35,7 +38,7 @@ class Array(NamedTuple):
 
     def shape_at(self, n: int, p: int = 0, b: int = 0) -> tuple[int, ...]:
         """The shape for ``n`` joints, ``p`` base parameters and ``b`` branches."""
-        lengths = {"n": n, "p": p, "b": b}
+        lengths = {"n": n, "p": p, "b": b, "t": b if n in _BETWEEN else 0}
         return tuple(lengths[length] if isinstance(length, str) else length for length in self.shape)
 
     def size_at(self, n: int, p: int = 0, b: int = 0) -> int:
@@ -50,7 +53,7 @@ class Array(NamedTuple):
         ValueError: the array has not so many, whatever the number of joints.
         """
         count = 0  # of base parameters or branches; no array has both
-        if {"p", "b"} & set(self.shape):
+        if {"p", "b", "t"} & set(self.shape):
             count = size // max(1, self.size_at(n, 1, 1))
         else:
             free = self.shape.count("n")
@@ -291,8 +294,9 @@ class Function:
         lengths = lengths_of([self], len(elements), n)
         if (size := self.size_at(n, *lengths)) != len(elements):
             raise ValueError(f"{self.name} returns {len(elements)} numbers; its results have {size}")
-        pieces = cut(elements, [array.size_at(n, *lengths) for array in self.results])
-        return [(array.name, piece) for array, piece in zip(self.results, pieces, strict=True)]
+        there = [array for array in self.results if array.size_at(n, *lengths)]
+        pieces = cut(elements, [array.size_at(n, *lengths) for array in there])
+        return [(array.name, piece) for array, piece in zip(there, pieces, strict=True)]
 
     def compared(self, dynamics: ReferenceDynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
         """Two sequences that are equal if the elements ``result`` are what ``dynamics`` say; ``anywhere``

@@ -8,12 +8,14 @@ whatever that joint's position; its axes are then joints at with it in several p
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
 
+from robodyn.dynamics.inverse.fit import Fit, upright
 from robodyn.dynamics.inverse.limits import TOLERANCE
+from robodyn.dynamics.inverse.loops import Equation, answered
 from robodyn.dynamics.inverse.places import (
     STRUCTURES,
     Axes,
@@ -22,12 +24,10 @@ from robodyn.dynamics.inverse.places import (
     in_a_plane,
     parallel,
     shoulders,
-    slid,
 )
-from robodyn.dynamics.inverse.screws import Axis, Target, feet
-from robodyn.dynamics.inverse.subproblems import Branch, Setting, Sum, both, lever_of, real_root
-from robodyn.dynamics.vectors import Vector, dot, minus, plus, scaled
-from robodyn.effects.scalars import choose
+from robodyn.dynamics.inverse.screws import Axis, Chain, Target, feet
+from robodyn.dynamics.inverse.subproblems import Branch, Setting, Sum, lever_of, real_root
+from robodyn.dynamics.vectors import BASE, Frame, Vector, dot, minus
 
 #: Points of axes by joint.
 Points = dict[int, Vector]
@@ -54,6 +54,7 @@ class Joints:
 
     ``stances`` are the same axes through given points, with a redundant joint in several positions, in
     floats, lengths as shares of the size. ``moved``: how many of the first axes such a joint is behind.
+    ``place_only``: whether the tool may be turned anyhow.
     """
 
     axes: tuple[Axis, ...]
@@ -61,6 +62,7 @@ class Joints:
     size: Fraction
     stances: Callable[[Points], Sequence[tuple[Axis, ...]]]
     moved: int = 0
+    place_only: bool = False
 
 
 def classes_of(arm: Joints) -> Iterator[Class]:
@@ -68,10 +70,10 @@ def classes_of(arm: Joints) -> Iterator[Class]:
     if len(arm.axes) == 6:
         yield from _wrists(arm)
         yield from _three_parallel(arm)
-    elif len(arm.axes) == 3:
-        yield from _places(arm)
-    elif len(arm.axes) < 3:
-        yield _few(arm)
+    elif len(arm.axes) < 6:
+        if len(arm.axes) == 3 and arm.place_only:
+            yield from _places(arm)
+        yield from _one_after_another(arm)
 
 
 def _wrists(arm: Joints) -> Iterator[Class]:
@@ -157,14 +159,36 @@ def _places(arm: Joints) -> Iterator[Class]:
         yield Class((words,), points, partial(_at_the_tip, place, arm.tip))
 
 
-def _few(arm: Joints) -> Class:
-    """One or two joints that bring the tool's origin to a point, however it is turned."""
-    points = {}
-    if len(arm.axes) == 2:
-        one, two = arm.axes
-        points = dict(zip((one.joint, two.joint), feet(one, two), strict=True))
-    solve = partial(_at_the_tip, _placed_by_few, arm.tip)
-    return Class(("there are fewer than three joints",), points, solve)
+def _one_after_another(arm: Joints) -> Iterator[Class]:
+    """Each joint follows from an equation of its own."""
+    from robodyn.dynamics.inverse.order import order_of
+
+    equations = order_of(Chain(arm.axes, Frame(arm.tip, BASE.x, BASE.y, BASE.z)), arm.place_only)
+    if equations is None:
+        return
+    joints = [arm.axes[equation.place].joint + 1 for equation in equations]
+    words = f"joints follow one after another: {', '.join(map(str, joints))}"
+    turns = [axis for axis in arm.axes if axis.revolute]
+    # Four joints whose turns are about one direction do all that leaves it as it is, and nothing else.
+    level = len(arm.axes) == 4 and all(axis.is_along(turns[0]) for axis in turns)
+    along = turns[0].direction if level and turns else None
+    yield Class((words,), {}, partial(_by_equations, equations, arm.tip, arm.place_only, along))
+
+
+def _by_equations(
+    equations: Sequence[Equation],
+    tip: Vector,
+    place_only: bool,
+    along: Vector | None,
+    axes: Sequence[Axis],
+    target: Target,
+    at: Setting,
+) -> Iterator[Branch]:
+    able = target if along is None else upright(target, along)
+    branches = [Branch()]
+    for equation in equations:
+        branches = [b for one in branches for b in answered(axes, able, equation, one, at)]
+    yield from map(Fit(axes, tip, target, place_only, at, along is not None).fitted, branches)
 
 
 def _at_the_tip(
@@ -220,55 +244,6 @@ def _mirror(axes: Sequence[Axis]) -> Axes:
 
 def _numbers(axes: Sequence[Axis]) -> list[int]:
     return [axis.joint + 1 for axis in axes]
-
-
-# --- fewer joints -------------------------------------------------------------------------------------------
-
-
-def _placed_by_few(axes: Sequence[Axis], tip: Vector, place: Vector, at: Setting) -> Iterator[Branch]:
-    """Branches in which ``axes``, one or two, bring ``tip`` to ``place`` [m], or nearest to it. They reach a
-    line or a surface: a branch exists where ``place`` is on it, to within the edge of reach."""
-    slack = (at.edge * at.size) ** 2
-    for branch in _nearest(axes, tip, place, at):
-        moved = tip
-        for axis in reversed(axes):
-            if axis.revolute:
-                moved = plus(axis.point, branch.outward(axis, minus(moved, axis.point)))
-            else:
-                moved = plus(moved, scaled(branch.positions[axis.joint], axis.direction))
-        u = minus(place, moved)
-        there = choose(slack - dot(u, u), 1, 0)
-        yield replace(branch, exists=both(branch.exists, there))
-
-
-def _nearest(axes: Sequence[Axis], tip: Vector, place: Vector, at: Setting) -> Iterator[Branch]:
-    one, two = axes[0], axes[-1]
-    if len(axes) == 1 and one.revolute:
-        onto = at.onto(one, minus(tip, one.point), minus(place, one.point), 2)
-        yield Branch().with_answer(one.joint, onto)
-    elif len(axes) == 1:
-        yield Branch().with_position(one.joint, dot(one.direction, minus(place, tip)))
-    elif one.revolute:
-        yield from _turned(one, two, tip, place, at)
-    elif two.revolute:  # from the tip to the base it is a turn, and then a slide
-        yield from _turned(two.reversed(), one.reversed(), place, tip, at)
-    else:
-        yield slid(Branch(), one, two, minus(place, tip))
-
-
-def _turned(one: Axis, two: Axis, tip: Vector, place: Vector, at: Setting) -> Iterator[Branch]:
-    """A revolute axis, and another joint behind it that brings the tip as far from a point of that axis as
-    the place is."""
-    p = minus(place, one.point)
-    if two.revolute:
-        b, v = minus(two.point, one.point), minus(tip, two.point)
-        ways = at.fold(two, b, v, dot(p, p))
-    else:
-        b, v = minus(tip, one.point), two.direction
-        ways = at.slide(dot(b, v), dot(b, b) - dot(p, p))
-    for out in Branch().with_each(two.joint, ways):
-        moved = out.outward(two, v) if two.revolute else scaled(out.positions[two.joint], v)
-        yield out.with_answer(one.joint, at.onto(one, plus(b, moved), p, 2))
 
 
 # --- three axes that turn -----------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ from typing import Any
 from robodyn.dynamics.arm import Arm
 from robodyn.dynamics.inverse.classes import Class, Joints, Points, classes_of
 from robodyn.dynamics.inverse.limits import FULL_RANK, TRIED
-from robodyn.dynamics.inverse.screws import Axis, Chain, as_floats, chain_of, least_motion
+from robodyn.dynamics.inverse.screws import Axis, Chain, as_floats, chain_of, least_motion, only_places
 from robodyn.dynamics.inverse.solution import (
     Joint,
     Limits,
@@ -19,7 +19,6 @@ from robodyn.dynamics.inverse.solution import (
     Solved,
     joints_of,
     nearest,
-    places_only,
     solved,
 )
 from robodyn.dynamics.inverse.subproblems import Branch, Setting
@@ -40,6 +39,7 @@ class Inverse:
     ----------
     redundant: the joint (from 0) that takes its position from the reference; None without one.
     kind: its class.
+    place_only: whether only the tool's place is solved for, however it is turned.
     signs: by branch, which of its two positions (+1 or -1) each joint has that has two.
     """
 
@@ -50,6 +50,7 @@ class Inverse:
     redundant: int | None
     kind: Class
     size: Fraction
+    place_only: bool
     signs: tuple[tuple[tuple[int, int], ...], ...] = ()
 
     @property
@@ -69,11 +70,6 @@ class Inverse:
     def conditions(self) -> tuple[str, ...]:
         """What holds for its axes, a sentence each."""
         return self.kind.conditions
-
-    @property
-    def place_only(self) -> bool:
-        """Whether only the place of the tool is solved for, however it is turned: three joints do no more."""
-        return places_only(self.joints)
 
     def solve(self, T: Sequence[Any], q_near: Sequence[Any], unit: Fraction) -> Solved:
         """All branches for the tool at ``T`` [12], ``[R p]`` row by row, over any scalar; ``q_near`` [n] (rad
@@ -123,20 +119,24 @@ def inverse_of(arm: Arm, limits: Sequence[Limits], chain: Chain | None = None) -
         raise _none("lengths are run-time parameters", "numbers")
     chain = chain or chain_of(arm)
     joints = joints_of(arm, limits)
-    if least_motion(as_floats(chain, chain.size)) <= FULL_RANK:
+    floats = as_floats(chain, chain.size)
+    place_only = only_places(floats)
+    if least_motion(floats, place_only) <= FULL_RANK:
         raise _none(
             "its joints do not move the tool in all directions",
             "joints that do, and where there are three or fewer a tool that is not on the last one's axis",
         )
     for redundant in _REDUNDANT if n == 7 else (None,):
-        for mirrored in (False, True) if n > 3 else (False,):
-            for kind in _classes(chain.reversed() if mirrored else chain, redundant, chain.size):
+        for mirrored in (False, True) if n > 5 else (False,):
+            for kind in _classes(chain.reversed() if mirrored else chain, redundant, chain.size, place_only):
                 through = chain.through(kind.points)
-                return _named(Inverse(arm, through, joints, mirrored, redundant, kind, chain.size))
+                return _named(
+                    Inverse(arm, through, joints, mirrored, redundant, kind, chain.size, place_only)
+                )
     raise _none(
         "its axes are of no class that has inverse kinematics in closed form",
         "a spherical wrist or shoulder (three axes that meet) with two axes that are parallel or meet; three "
-        "parallel axes; or an arm of three joints or fewer",
+        "parallel axes; or fewer than six joints of which one after another follows from an equation of its own",
     )
 
 
@@ -145,7 +145,7 @@ def has_exact_lengths(arm: Arm) -> bool:
     return all(isinstance(x, (int, Fraction)) for body in arm.bodies for x in (body.a, body.b, body.d))
 
 
-def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Class]:
+def _classes(chain: Chain, redundant: int | None, size: Fraction, place_only: bool) -> Iterator[Class]:
     """Ways to see the axes of ``chain``."""
     place = next((k for k, axis in enumerate(chain.axes) if axis.joint == redundant), None)
     floats = as_floats(chain, size)
@@ -160,7 +160,7 @@ def _classes(chain: Chain, redundant: int | None, size: Fraction) -> Iterator[Cl
         return [through.without(place, position) for position in positions]
 
     axes = chain.axes if place is None else (*chain.axes[:place], *chain.axes[place + 1 :])
-    return classes_of(Joints(axes, chain.tool.origin, size, stances, place or 0))
+    return classes_of(Joints(axes, chain.tool.origin, size, stances, place or 0, place_only))
 
 
 def _named(inverse: Inverse) -> Inverse:

@@ -30,7 +30,7 @@ from robodyn.dynamics.inverse.limits import (
     SHORTENED,
     SOLVED,
 )
-from robodyn.dynamics.inverse.solution import Joint, Solved, places_only
+from robodyn.dynamics.inverse.solution import Joint, Solved, can_less
 from robodyn.dynamics.inverse.subproblems import both, either
 from robodyn.dynamics.jacobians import columns
 from robodyn.dynamics.mass_matrix import Factored
@@ -74,12 +74,14 @@ class State(NamedTuple):
 class Descent:
     """Steps towards a pose, for an arm with these ``joints`` [n] and of this ``size`` [m].
 
-    ``unit``: the rounding unit of the arithmetic. ``locked``: joints (from 0) that stay where they are.
+    ``unit``: the rounding unit of the arithmetic. ``place_only``: whether the tool may be turned anyhow.
+    ``locked``: joints (from 0) that stay where they are.
     """
 
     joints: tuple[Joint, ...]
     size: Fraction
     unit: Fraction
+    place_only: bool
     locked: frozenset[int] = frozenset()
 
     def start(self, q: Sequence[Any], *, within: Fraction | None = None) -> State:
@@ -113,13 +115,16 @@ class Descent:
 
     def finish(self, states: Sequence[State], joints: Sequence[Joint]) -> Solved:
         """What was reached from each of several starts; ``joints`` have the limits that flags are about."""
-        result = Solved([], [], [], [])
+        result = Solved.none()
         for x in states:
             result.solutions.append(list(x.best))
             result.exists.append(choose(self._square(EDGE) - x.error, 1, 0))
             allowed = (joint.allows(q, EDGE * self.unit) for joint, q in zip(joints, x.best, strict=True))
             result.within.append(both(*allowed))
             result.singular.append(x.singular)
+            if can_less(joints):
+                result.placed.append(result.exists[-1])
+                result.off.append(root(x.error))
         return result
 
     def _square(self, units: int) -> Fraction:
@@ -129,7 +134,7 @@ class Descent:
         """From the pose ``now`` [12] to ``T`` [12]: the way, as a share of the size, and twice the sine of
         half the angle along the axis that it is about."""
         way = [(T[k] - now[k]) / self.size for k in (3, 7, 11)]
-        if places_only(self.joints):
+        if self.place_only:
             return way
         rows, goal = ([(t[k], t[k + 1], t[k + 2]) for k in (0, 4, 8)] for t in (now, T))
         return [*way, *rotation_between([[dot(u, v) for v in rows] for u in goal])]
@@ -139,7 +144,7 @@ class Descent:
         J: Matrix = []
         for k, (joint, (v, w)) in enumerate(zip(self.joints, columns(at), strict=True)):
             u: Vector = scaled(1 / self.size, v)
-            column = list(u) if places_only(self.joints) else [*u, *w]
+            column = list(u) if self.place_only else [*u, *w]
             J.append([Fraction(0)] * len(column) if k in self.locked else column)
             if joint.limits is not None and k not in self.locked:
                 push = inner(column, missing)

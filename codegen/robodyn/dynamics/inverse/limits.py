@@ -40,6 +40,26 @@ TRIED: tuple[float, ...] = (0.7371, -1.9083, 2.6119)
 #: arm's size), in some configuration of an arm whose joints move the tool in all directions.
 FULL_RANK: float = 1e-6
 
+# --- one joint after another --------------------------------------------------------------------------------
+
+#: At how many positions equations are looked at, drawn at random, and the share of these at which one may be
+#: less sensitive than it is counted as.
+SAMPLES: int = 12
+FEW: float = 0.25
+
+#: What of an equation changes at most where a joint does not count in it [1, and shares of the arm's size].
+BLIND: float = 1e-9
+
+#: How sensitive an equation has to be to the joint that it gives.
+SENSITIVE: float = 1e-4
+
+#: Below what lever [1, and shares of the arm's size] another equation is taken instead, where there is one.
+SHORT: Fraction = Fraction(1, 1 << 10)
+
+#: Rounding units that a pose may be missed by and is still reached, [rad, and shares of the arm's size]: what
+#: a joint's position is off where the equation that gives it is little sensitive, others do not make up for.
+FIT: int = 2048
+
 # --- damped least squares -----------------------------------------------------------------------------------
 
 #: Iterations at most. Of reachable poses that are reached at all nearly all take fewer than half.

@@ -26,8 +26,8 @@ from robodyn.dynamics.inverse.limits import (
     REFINEMENTS,
     TOLERANCE,
 )
-from robodyn.dynamics.inverse.screws import Axis, Chain, as_floats, chain_of, feet, least_motion
-from robodyn.dynamics.inverse.solution import Joint, Nearest, Solved, joints_of, nearest, places_only
+from robodyn.dynamics.inverse.screws import Axis, Chain, as_floats, chain_of, feet, least_motion, only_places
+from robodyn.dynamics.inverse.solution import Joint, Nearest, Solved, joints_of, nearest
 from robodyn.dynamics.inverse.subproblems import real_root
 from robodyn.dynamics.state import Dynamics, Iterative, NoSuchFunction
 from robodyn.dynamics.vectors import Vector, dot, minus, scaled
@@ -44,7 +44,8 @@ _DIGITS = 15
 class Numerical:
     """Inverse kinematics of an arm by damped least squares, see :mod:`~robodyn.dynamics.inverse.descent`.
 
-    ``size``: about the arm's reach [m]. ``conditions``: why it is solved so. ``begins``: the inverse
+    ``size``: about the arm's reach [m]. ``conditions``: why it is solved so. ``place_only``: whether the
+    tool may be turned anyhow. ``begins``: the inverse
     kinematics of a similar arm, at whose branches it begins; None: it has one solution, near the reference
     that it begins at, within the joints' limits. ``most``: iterations at most, from each beginning.
     ``weak``: whether the joints move the tool in some direction only because axes miss where they have to
@@ -54,6 +55,7 @@ class Numerical:
     joints: tuple[Joint, ...]
     size: Fraction
     conditions: tuple[str, ...]
+    place_only: bool
     begins: Inverse | None = None
     most: int = ITERATIONS
     weak: bool = False
@@ -72,11 +74,6 @@ class Numerical:
     def redundant(self) -> int | None:
         """The joint (from 0) that takes its position from the reference."""
         return None if self.begins is None else self.begins.redundant
-
-    @property
-    def place_only(self) -> bool:
-        """Whether only the place of the tool is solved for."""
-        return places_only(self.joints)
 
     @property
     def alone(self) -> bool:
@@ -117,11 +114,11 @@ class Numerical:
 
     def _descent(self, at: Dynamics) -> Descent:
         if self.begins is None:
-            return Descent(self.joints, self.size, at.rounding)
+            return Descent(self.joints, self.size, at.rounding, self.place_only)
         # Branches are those of the arm without limits, which only say whether each is within them.
         free = tuple(replace(joint, limits=None) for joint in self.joints)
         locked = frozenset(() if self.redundant is None else (self.redundant,))
-        return Descent(free, self.size, at.rounding, locked)
+        return Descent(free, self.size, at.rounding, self.place_only, locked)
 
 
 def solver_of(arm: Arm) -> Inverse | Numerical:
@@ -144,14 +141,15 @@ def solver_of(arm: Arm) -> Inverse | Numerical:
     # are levers of nothing.
     size = chain.size / 2
     similar, neglected = idealised(chain)
+    place_only = only_places(as_floats(similar, chain.size))
     try:
         begins = inverse_of(arm, limits, similar)
     except NoSuchFunction:
-        motion, without = (least_motion(as_floats(each, chain.size)) for each in (chain, similar))
+        motion, without = (least_motion(as_floats(x, chain.size), place_only) for x in (chain, similar))
         if motion > TOLERANCE and without <= FULL_RANK:
-            return Numerical(joints, size, (reason, _WEAK, *neglected), weak=True)
-        return Numerical(joints, size, (reason,))
-    return Numerical(joints, size, (*begins.conditions, *neglected), begins, REFINEMENTS)
+            return Numerical(joints, size, (reason, _WEAK, *neglected), place_only, weak=True)
+        return Numerical(joints, size, (reason,), place_only)
+    return Numerical(joints, size, (*begins.conditions, *neglected), place_only, begins, REFINEMENTS)
 
 
 def idealised(chain: Chain) -> tuple[Chain, tuple[str, ...]]:

@@ -16,7 +16,7 @@ from math import cos, sin, sqrt
 from typing import Any, NamedTuple
 
 from robodyn.dynamics.arm import Arm, into_parent, origin
-from robodyn.dynamics.inverse.limits import NEGLIGIBLE, TRIED
+from robodyn.dynamics.inverse.limits import ALMOST, FULL_RANK, NEGLIGIBLE, TRIED
 from robodyn.dynamics.vectors import BASE, ZERO, Frame, Vector, cross, dot, minus, plus, scaled
 from robodyn.ir.evaluate import Circle
 
@@ -209,16 +209,25 @@ def as_floats(chain: Chain, size: Fraction) -> Chain:
 # --- rank of the Jacobian -----------------------------------------------------------------------------------
 
 
-def least_motion(chain: Chain) -> float:
+def least_motion(chain: Chain, place_only: bool) -> float:
     """The last pivot of the Jacobian of ``chain``, the largest over several configurations.
 
     It exceeds rounding if the Jacobian has full rank. ``chain`` is in floats, with lengths divided by its
-    size. For up to three joints the Jacobian is that of the tool's position alone.
+    size. With ``place_only`` the Jacobian is that of the tool's place.
     """
-    return max(_last_pivot(_jacobian_columns(chain, k)) for k in range(len(TRIED)))
+    return max(_last_pivot(_jacobian_columns(chain, k, place_only)) for k in range(len(TRIED)))
 
 
-def _jacobian_columns(chain: Chain, start: int) -> list[list[float]]:
+def only_places(chain: Chain) -> bool:
+    """Whether ``chain``, in floats as above, is asked for the tool's place alone: three joints that move that
+    in all directions do no more. Those that do not, as of an arm that is planar or nearly, are asked for all
+    that they do."""
+    if len(chain.axes) > 3:
+        return False
+    return least_motion(chain, True) > ALMOST or least_motion(chain, False) <= FULL_RANK
+
+
+def _jacobian_columns(chain: Chain, start: int, place_only: bool) -> list[list[float]]:
     """The columns of the tool's Jacobian, from the last joint to the first, in configuration ``start``."""
     tip: Vector = chain.tool.origin
     columns: list[tuple[Vector, Vector]] = []
@@ -234,7 +243,7 @@ def _jacobian_columns(chain: Chain, start: int) -> list[list[float]]:
         else:
             tip = plus(tip, scaled(angle, z))
             columns.append((z, ZERO))
-    return [[*v] if len(columns) <= 3 else [*v, *w] for v, w in columns]
+    return [[*v] if place_only else [*v, *w] for v, w in columns]
 
 
 def _last_pivot(rows: list[list[float]]) -> float:

@@ -79,18 +79,26 @@ def joints_of(arm: Arm, limits: Sequence[Limits]) -> tuple[Joint, ...]:
     )
 
 
-def places_only(joints: Sequence[Joint]) -> bool:
-    """Whether only the place of the tool is solved for, however it is turned: three joints do no more."""
-    return len(joints) <= 3
+def can_less(joints: Sequence[Joint]) -> bool:
+    """Whether a pose asks for more than they can do, and for more than a place."""
+    return len(joints) in (4, 5)
 
 
 class Solved(NamedTuple):
-    """Joint positions [b][n] (rad or m), and by branch [b] what is true of them, 1 or 0."""
+    """Joint positions [b][n] (rad or m), and by branch [b] what is true of them, 1 or 0; of an arm of four or
+    five joints whether they reach the tool's place, and by what angle they miss its rotation [rad]."""
 
     solutions: list[list[Any]]
     exists: list[Any]
     within: list[Any]
     singular: list[Any]
+    placed: list[Any]
+    off: list[Any]
+
+    @classmethod
+    def none(cls) -> Solved:
+        """Of no branch."""
+        return cls([], [], [], [], [], [])
 
 
 def solved(
@@ -112,7 +120,7 @@ def solved(
             angles[circle] = arctangent(s, c)
         return angles[circle]
 
-    result = Solved([], [], [], [])
+    result = Solved.none()
     for branch in branches:
         q: list[Any] = [None] * len(joints)
         late = []
@@ -138,6 +146,9 @@ def solved(
         result.exists.append(branch.exists)
         result.within.append(both(*(j.allows(x, rounding) for j, x in zip(joints, q, strict=True))))
         result.singular.append(branch.singular)
+        if can_less(joints):
+            result.placed.append(branch.placed)
+            result.off.append(branch.off)
     return result
 
 
@@ -156,11 +167,13 @@ def nearest(solved: Solved, joints: Sequence[Joint], near: Sequence[Any], roundi
     squares of what is between it and ``near`` [n] (rad, m), in the turns nearest to that which limits allow;
     the nearest of all where none exists."""
     best: list[Any] = []
-    for k, (q, exists, within, singular) in enumerate(zip(*solved, strict=True)):
+    for k, (q, exists, within, singular) in enumerate(zip(*solved[:4], strict=True)):
         turned = [joint.turned_near(x, y, rounding) for joint, x, y in zip(joints, q, near, strict=True)]
         total = sum((x - y) * (x - y) for x, y in zip(turned, near, strict=True))
         # 0 for what exists and is within limits, 1 for what only exists, 2 or 3 for the rest
         rank = 3 - within - 2 * exists
+        if solved.placed:  # of those that do not exist, the ones that are in place before the others
+            rank = rank + 2 * (1 - solved.placed[k])
         each = [*turned, exists, within, singular, Fraction(k), rank, total]
         if best:
             *_, least, closest = best

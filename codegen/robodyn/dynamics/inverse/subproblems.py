@@ -27,7 +27,8 @@ class Two(NamedTuple):
     """Two answers, whether there are any (1 or 0), and whether they meet or are free (1 or 0).
 
     ``beyond``: how far what was wanted is beyond what is reached; ``side``: how far ``R v`` is across that
-    and the axis, ``along . (R v x axis)``, the first answer having it on the positive side.
+    and the axis, ``along . (R v x axis)``, the first answer having it on the positive side; ``lever``: the
+    square of how long the lever is, lengths as shares of the arm's size; a number where that is known.
     """
 
     answers: tuple[Any, Any]
@@ -35,13 +36,15 @@ class Two(NamedTuple):
     meet: Any
     beyond: Any = 0
     side: Any = 0
+    lever: Any = 1
 
 
 class One(NamedTuple):
-    """An answer, and whether it is free (1 or 0)."""
+    """An answer, whether it is free (1 or 0), and the square of its ``lever``, as of two."""
 
     answer: Any
     meet: Any
+    lever: Any = 1
 
 
 class Sum(NamedTuple):
@@ -58,13 +61,16 @@ class Branch:
     [m].
 
     ``exists``: whether all equations had an answer; ``singular``: whether two met, or one was free;
-    ``signs``: which of two answers was taken, by joint.
+    ``signs``: which of two answers was taken, by joint. Of an arm of four or five joints ``placed``: whether
+    the tool's place is reached, and ``off``: by what angle its rotation is not [rad].
     """
 
     positions: Mapping[int, Any] = field(default_factory=dict)
     exists: Any = 1
     singular: Any = 0
     signs: tuple[tuple[int, int], ...] = ()
+    placed: Any = 0
+    off: Any = 0
 
     def with_each(self, joint: int, two: Two) -> Iterator[Branch]:
         """With the two positions of ``joint``, one after the other."""
@@ -148,7 +154,8 @@ class Setting:
         free = choose(square - floor, 0, 1)
         length = 1 / real_root(choose(free, 1, square))
         meet = choose(square - self._short(lengths), 0, 1)
-        return One(chosen(free, self.near(axis.joint), (c * length, s * length)), meet)
+        answer = chosen(free, self.near(axis.joint), (c * length, s * length))
+        return One(answer, meet, square / self.size ** (2 * lengths))
 
     def reach(
         self,
@@ -179,7 +186,7 @@ class Setting:
             share = 1 / choose(free, 1, most)
             c, s = -(y * share), x * share
             c, s = (c, s) if known else chosen(free, self.near(axis.joint), (c, s))
-            return Two(((c, s), (-c, -s)), 1, blunt, side=most)
+            return Two(((c, s), (-c, -s)), 1, blunt, side=most, lever=square / self.size ** (2 * lengths))
         rest = square - b * b if margins is None else margins[0] * margins[1]
         most = real_root(square)
         slack = self.edge * (most if known else self.size**lengths)
@@ -197,7 +204,8 @@ class Setting:
         if not known:
             one = chosen(free, self.near(axis.joint), one)
             other = chosen(free, self.near(axis.joint), other)
-        return Two((one, other), exist, meet, choose(rest, 0, choose(b, b - most, b + most)), side)
+        beyond = choose(rest, 0, choose(b, b - most, b + most))
+        return Two((one, other), exist, meet, beyond, side, square / self.size ** (2 * lengths))
 
     def fold(self, axis: Axis, b: Vector, c: Vector, square: Any) -> Two:
         """The two angles about ``axis`` at which ``b + R c`` has the length of which ``square`` is given, see
@@ -217,6 +225,14 @@ class Setting:
             )
         bend = (square - (fixed + squares[0] + squares[1])) / 2
         return self.reach(axis, other, one, bend, 2, margins)
+
+    def along(self, share: Any, distance: Any) -> One:
+        """The length of which ``share`` is ``distance``; 0 where nothing of it is."""
+        if is_number(share):
+            return One(distance / share, 0)
+        free = choose(share * share - self._floor(0), 0, 1)
+        meet = choose(share * share - self._short(0), 0, 1)
+        return One(choose(free, 0, distance / choose(free, 1, share)), meet, share * share)
 
     def slide(self, p: Any, q: Any) -> Two:
         """The two lengths ``d`` with ``d^2 + 2 p d + q = 0``; ``-p`` where none is."""
@@ -245,6 +261,21 @@ def either(*conditions: Any) -> Any:
 def chosen(condition: Any, one: Circle, other: Circle) -> Circle:
     """The angle ``one`` where ``condition`` is more than 0, else the ``other``."""
     return choose(condition, one[0], other[0]), choose(condition, one[1], other[1])
+
+
+def preferred(condition: Any, one: One | Two, other: One | Two) -> One | Two:
+    """``one`` where ``condition`` is more than 0, else the ``other``, of as many answers."""
+
+    def either_of(a: Any, b: Any) -> Any:
+        return chosen(condition, a, b) if isinstance(a, tuple) else choose(condition, a, b)
+
+    meet, lever = choose(condition, one.meet, other.meet), choose(condition, one.lever, other.lever)
+    if isinstance(one, Two) and isinstance(other, Two):
+        first, second = map(either_of, one.answers, other.answers)
+        return Two((first, second), choose(condition, one.exist, other.exist), meet, lever=lever)
+    assert isinstance(one, One)
+    assert isinstance(other, One)
+    return One(either_of(one.answer, other.answer), meet, lever)
 
 
 def is_number(x: Any) -> bool:

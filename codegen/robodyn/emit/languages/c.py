@@ -203,7 +203,7 @@ def macros(unit: Unit) -> list[str]:
     names = dict.fromkeys((unit.robot.name, unit.robot.name.upper()))
     numbers = {"REGRESSOR_COLUMNS": columns} if columns else {}
     for listing in filter(None, (listing_of(interface) for interface, _ in unit.functions)):
-        numbers |= {"IK_MAX": listing.branches, **{f"IK_{name}": bit for name, bit in Listing.FLAGS.items()}}
+        numbers |= {"IK_MAX": listing.branches, **{f"IK_{name}": bit for name, bit in listing.flags.items()}}
     return [f"#define {name}_{what} {value}" for name in names for what, value in numbers.items()]
 
 
