@@ -136,7 +136,7 @@ def inverse_of(arm: Arm, limits: Sequence[Limits], chain: Chain | None = None) -
     raise _none(
         "its axes are of no class that has inverse kinematics in closed form",
         "a spherical wrist or shoulder (three axes that meet) with two axes that are parallel or meet; three "
-        "parallel axes; or fewer than six joints of which one after another follows from an equation of its own",
+        "parallel axes; or fewer than six joints that follow one after another",
     )
 
 
