@@ -10,7 +10,7 @@ from robodyn.dynamics.inverse import Inverse
 from robodyn.simulate.poses import PoseSolver
 from robodyn_testing.few_joints import ARMS, Floats, apart, arm, drawn, least_motion, poses, searched
 
-QUICK = ("scara", "desktop", "gantry")
+QUICK = ("scara", "desktop", "rail")
 NAMES = [name if name in QUICK else pytest.param(name, marks=pytest.mark.thorough) for name in ARMS]
 #: The least singular value of the Jacobian below which a pose counts as singular.
 _SINGULAR = 1e-6

@@ -217,7 +217,9 @@ def pose_states(
     if redundant is not None:
         near[:, redundant] = drawn[Q.name][:, redundant]
     T = Reference(robot, parameters).tool_pose(q).reshape(states, 12)
-    return {POSE.name: (np.rint(T / _GRID) * _GRID).astype(DTYPE[scalar]), NEAR.name: near}
+    if robot.n not in (4, 5):  # with so many joints no pose on a grid is one that the arm reaches
+        T = np.rint(T / _GRID) * _GRID
+    return {POSE.name: T.astype(DTYPE[scalar]), NEAR.name: near}
 
 
 def well_conditioned(
