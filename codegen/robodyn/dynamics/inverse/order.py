@@ -13,8 +13,6 @@ from functools import cache, reduce
 from itertools import combinations, permutations
 from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-
 from robodyn.dynamics.inverse.limits import BLIND, FEW, SAMPLES, SENSITIVE
 from robodyn.dynamics.inverse.loops import WAYS, Equation, Object, Way, path
 from robodyn.dynamics.inverse.screws import Axis, Chain, as_floats, feet
@@ -22,12 +20,12 @@ from robodyn.dynamics.inverse.subproblems import real_root
 from robodyn.dynamics.vectors import BASE, Vector, cross, dot, scaled
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
+    from robodyn.arrays import Floats
 
 #: How far beside a position a slope is taken [rad, and shares of the arm's size].
 _STEP = 1e-4
+#: Digits behind the point in which sensitivities are compared.
+_DIGITS = 6
 
 
 class _Found(NamedTuple):
@@ -38,8 +36,8 @@ class _Found(NamedTuple):
 
     @property
     def rank(self) -> tuple[int, float]:
-        """The less, the better."""
-        return self.equation.answers, -self.sense
+        """The less, the better; what differs by rounding, which is another on another machine, is equal."""
+        return self.equation.answers, -round(self.sense, _DIGITS)
 
 
 @cache
@@ -63,6 +61,8 @@ class _Positions:
 
     def carried(self, values: Floats, start: int, end: int, way: Way) -> Floats:
         """``[S, X, 3]``: what stands behind joint ``start``, ``[X, 4]``, carried to behind ``end``."""
+        import numpy as np
+
         if (start, end, way) not in self.ways:
             whole = np.eye(4)
             for place in path(len(self.moves), start, end, way):
@@ -79,6 +79,8 @@ class _Search:
     """Objects and positions of a chain at which equations are looked at, lengths as shares of its size."""
 
     def __init__(self, chain: Chain, place_only: bool) -> None:
+        import numpy as np
+
         self.axes, self.place_only = chain.axes, place_only
         count, size = len(chain.axes), float(chain.size)
         self.objects = [list(_objects(chain, at, place_only)) for at in range(count + 1)]
@@ -131,6 +133,8 @@ class _Search:
 
     def _wholes(self, base: _Positions, moved: dict[int, _Positions]) -> Iterator[_Found]:
         """Equations that say where a joint brings an object."""
+        import numpy as np
+
         count = len(self.axes)
         for k in moved:
             for at in range(count if self.place_only else 0, count + 1):
@@ -150,6 +154,8 @@ class _Search:
 
     def _parts(self, base: _Positions, moved: dict[int, _Positions]) -> Iterator[_Found]:
         """Equations between what an object is measured as, on either way."""
+        import numpy as np
+
         count = len(self.axes)
         beside = {
             k: [
@@ -184,6 +190,8 @@ class _Search:
     def _measured(self, positions: _Positions, start: int, end: int) -> Floats:
         """``[2, S, X, U]``: by how much the two ways from behind joint ``start`` to ``end`` differ, along
         what stands there, and in the square of the distance from it."""
+        import numpy as np
+
         back, on = (positions.carried(self.values[start], start, end, way)[:, :, None] for way in WAYS)
         u = self.values[end][:, :3]
         along = ((back - on) * u).sum(axis=-1)
@@ -223,6 +231,8 @@ def _foot(axis: Axis, other: Axis) -> Vector:
 
 def _displacements(axis: Axis, positions: Floats) -> Floats:
     """The displacements ``[S, 4, 4]`` of a joint at ``positions`` [S]."""
+    import numpy as np
+
     h, p = np.array(axis.direction), np.array(axis.point)
     moves = np.tile(np.eye(4), (len(positions), 1, 1))
     if axis.revolute:
@@ -237,6 +247,8 @@ def _displacements(axis: Axis, positions: Floats) -> Floats:
 
 def _inverse(moves: Floats) -> Floats:
     """The inverses of displacements ``[S, 4, 4]``."""
+    import numpy as np
+
     back = np.zeros_like(moves)
     back[:, :3, :3] = np.swapaxes(moves[:, :3, :3], 1, 2)
     back[:, :3, 3] = -np.einsum("sji,sj->si", moves[:, :3, :3], moves[:, :3, 3])
