@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 import robodyn
-from robodyn.kernels.function import NearestSolution, Solutions
 from robodyn.kernels.kernel import Kernel
+from robodyn.kernels.results import NearestSolution, Solutions
 from robodyn.robot import load
 from robodyn.simulate.poses import PoseSolver
 
@@ -35,7 +37,9 @@ def test_one_pose(kernel: Kernel) -> None:
             assert one.tobytes() == two.tobytes()
     assert answer.solutions.shape == (8, 6)
     assert answer.exists.shape == answer.within.shape == answer.singular.shape == (8,)
+    assert answer.exists.dtype == answer.within.dtype == answer.singular.dtype == np.bool_
     assert answer.solution_count.shape == ()
+    assert answer.solution_count.dtype == np.int64
     reached = answer.reached
     assert isinstance(reached, np.ndarray)
     assert len(reached) == answer.solution_count == answer.exists.sum() >= 2
@@ -52,13 +56,23 @@ def test_many_poses(kernel: Kernel) -> None:
     assert kernel.inverse_kinematics(T).solutions.shape == (7, 8, 6)
 
 
+def test_a_pose_that_is_no_number_has_no_solution(kernel: Kernel) -> None:
+    """By the kernel's own call and through Python, of one pose and of many: NaN is not true."""
+    one, three = T[0] * np.nan, T[:3] * np.nan
+    answers: list[Any] = [kernel.inverse_kinematics(x) for x in (one, one.tolist(), three)]
+    answers.append(kernel.batch(three, function="inverse_kinematics"))
+    for answer in answers:
+        assert not answer.exists.any()
+        assert not answer.solution_count.any()
+
+
 @pytest.mark.thorough
 def test_the_nearest(kernel: Kernel, nearest: Kernel) -> None:
     answer = nearest.nearest_inverse_kinematics(T, Q + 0.01)
     assert isinstance(answer, NearestSolution)
     np.testing.assert_allclose(answer.solution, Q, atol=1e-9)
     every = kernel.inverse_kinematics(T, Q)
-    rows = every.solutions[np.arange(7), answer.branch.astype(int)]
+    rows = every.solutions[np.arange(7), answer.branch]
     np.testing.assert_allclose(rows, Q, atol=1e-9)
 
 

@@ -19,7 +19,7 @@ import numpy as np
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.arrays import Array, common_lead, laid_out, read_parameters, read_states, states_last
-from robodyn.kernels.function import Function, handed_back
+from robodyn.kernels.function import Function
 from robodyn.toolchain.library import Calls, Library
 
 
@@ -73,7 +73,7 @@ class Batch:
             values = self._view(read_parameters(where, function.parameters, params, dtype))
         if count:
             self._run(count, int(threads), [*inputs, *results], values, columns=columns)
-        return handed_back(tuple(name for name, _ in function.results), results)
+        return function.hand_back(results, are_new=out is None)
 
     def _results(
         self,

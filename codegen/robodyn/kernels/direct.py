@@ -7,7 +7,7 @@ from typing import Any
 
 from robodyn.emit.render import environment
 from robodyn.ir.signature import Signature
-from robodyn.kernels.function import optional_of, shapes_of
+from robodyn.kernels.function import array_of, optional_of, shapes_of
 from robodyn.toolchain.library import DIRECT
 
 
@@ -27,6 +27,7 @@ def direct_calls(signatures: Sequence[Signature]) -> str:
         functions=functions,
         axes=max([1, *(array["axes"] for each in arrays for array in each)]),
         longest=max(map(len, arrays)),
+        converted=max(1, *(sum(a["size"] for a in each if a["says"] != "number") for each in arrays)),
         left_out=max([1, *(size for s in chosen for name, size in s.inputs if name in optional_of(s))]),
     )
 
@@ -45,7 +46,12 @@ def _function(s: Signature) -> dict[str, Any]:
         "prototype": f"void {name}(ptrdiff_t, {', '.join(arguments)}, const {s.scalar} *)",
         "call": f"{name}(1, {places}, NULL)",
         "arrays": [
-            {"axes": len(shape), "shape": ", ".join(map(str, shape)) or "0", "size": size}
-            for (_, size), shape in zip(arrays, shapes, strict=True)
+            {
+                "axes": len(shape),
+                "shape": ", ".join(map(str, shape)) or "0",
+                "size": size,
+                "says": array_of(name, size).says,
+            }
+            for (name, size), shape in zip(arrays, shapes, strict=True)
         ],
     }

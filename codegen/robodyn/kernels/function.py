@@ -1,13 +1,11 @@
-"""One compiled function on arrays: one state or a batch, checked; and what functions of poses hand back."""
+"""One compiled function on arrays: one state or a batch, checked."""
 
 from __future__ import annotations
 
-import collections
-import functools
 import inspect
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -24,6 +22,7 @@ from robodyn.kernels.arrays import (
     read_parameters,
     shape_text,
 )
+from robodyn.kernels.results import CONVERTED, handed_back, named_results
 from robodyn.toolchain.library import Library
 
 #: What checks an input: ``(where, name, shape, value, dtype)``.
@@ -39,7 +38,8 @@ class Function:
     ``[3, 4]`` or ``[4, 4]``. What is optional may be left out, and one may go with N states.
 
     ``params`` gives every run-time parameter by name. ``out`` is an array (a tuple of them, if there is more
-    than one result) of the result's shape and the kernel's type, which is written to and returned.
+    than one result) of the result's shape and the kernel's type, which is written to and returned. Without
+    it, what is true or not is of bools, and what counts of integers.
 
     A function of a robot whose effects remember (``signature.states``) takes its states as one after another
     in time, ``dt`` [s] apart. It begins at rest, or with ``state`` [k], which it moves on in place.
@@ -60,6 +60,7 @@ class Function:
             tuple(name for name, _ in arrays) for arrays in (signature.inputs, signature.outputs)
         )
         self.inputs, self.results = shapes_of(signature)
+        self.says = tuple(array_of(name, size).says for name, size in signature.outputs)
         self.optional = optional_of(signature)
         self.where = f"{signature.robot}.{signature.function}"
         self._call = getattr(library.lib, f"{signature.function}_robodyn_batch")
@@ -99,6 +100,13 @@ class Function:
                 self._call(count, *ins, *outs, values, memory, dt)
             else:
                 self._call(count, *ins, *outs, values)
+        return self.hand_back(results, are_new=out is None)
+
+    def hand_back(self, results: Sequence[Array], *, are_new: bool) -> Any:
+        """The ``results``, one as it is, several as a tuple with names. Where they ``are_new`` and no arrays
+        of the caller's, what is true or counts is of bools and integers; what is NaN is not true."""
+        if are_new:
+            results = [CONVERTED[says](x) for x, says in zip(results, self.says, strict=True)]
         return handed_back(self._names, results)
 
     def read(self, arrays: Sequence[object], read: Reader) -> list[Array]:
@@ -201,19 +209,19 @@ def function_of(signature: Signature, library: Library, parameters: Sequence[str
 
 def optional_of(signature: Signature) -> frozenset[str]:
     """The inputs of ``signature`` that may be left out; they come last."""
-    return frozenset(name for name, length in signature.inputs if _array(name, length).optional)
+    return frozenset(name for name, length in signature.inputs if array_of(name, length).optional)
 
 
 def shapes_of(signature: Signature) -> tuple[tuple[tuple[str, Shape], ...], tuple[tuple[str, Shape], ...]]:
     """Names and shapes of the inputs of ``signature``, and of its results."""
     inputs, results = (
-        tuple((name, _array(name, size).shape_of(size, signature.joints)) for name, size in arrays)
+        tuple((name, array_of(name, size).shape_of(size, signature.joints)) for name, size in arrays)
         for arrays in (signature.inputs, signature.outputs)
     )
     return inputs, results
 
 
-def _array(name: str, length: int) -> Described:
+def array_of(name: str, length: int) -> Described:
     """What the array ``name`` is; one of a function by other makers is a vector."""
     return arrays().get(name) or Described(name, "SI units", "", shape=(length,))
 
@@ -224,7 +232,7 @@ def _document(function: Function) -> str:
 
     def line(name: str, shape: Shape) -> str:
         both = f"{shape_text(shape)} or {shape_text(['N', *shape])}"
-        return f"{name}: {both}, {s.scalar}; {_array(name, 1).words}"
+        return f"{name}: {both}, {s.scalar}; {array_of(name, 1).words}"
 
     lines = [
         f"{s.function.replace('_', ' ').capitalize()} of {s.robot}, compiled.",
@@ -241,95 +249,3 @@ def _document(function: Function) -> str:
     lines += ["out: array to write to, of the shape and type of the result", "", "Returns", "-------"]
     lines += [line(name, shape) for name, shape in function.results]
     return "\n".join(lines)
-
-
-class Solutions(NamedTuple):
-    """All branches of a pose, or of N poses: then every array has N in front.
-
-    ``solutions`` [b, n] (rad or m), a row for each branch; ``exists``, ``within``, ``singular`` [b], 1 or 0
-    in the kernel's type: whether a row reaches the pose, is within the joints' limits, is where branches meet
-    or a joint is free. A row that does not exist is the nearest that its branch comes. ``solution_count`` [],
-    how many exist.
-    """
-
-    solutions: Array
-    exists: Array
-    within: Array
-    singular: Array
-    solution_count: Array
-
-    @property
-    def reached(self) -> Array | list[Array]:
-        """The rows that reach the pose, [k, n]; of N poses a list of N such arrays."""
-        return _rows(self.solutions, self.exists > 0)
-
-    @property
-    def allowed(self) -> Array | list[Array]:
-        """The same within the joints' limits."""
-        return _rows(self.solutions, (self.exists > 0) & (self.within > 0))
-
-
-class TaskSolutions(NamedTuple):
-    """The same of an arm of four or five joints, which can do less than a pose asks for: ``placed`` [b], 1 or
-    0, says whether a row reaches the tool's place, ``off`` [b] by what angle it misses its rotation [rad].
-    """
-
-    solutions: Array
-    exists: Array
-    within: Array
-    singular: Array
-    solution_count: Array
-    placed: Array
-    off: Array
-
-    @property
-    def reached(self) -> Array | list[Array]:
-        """The rows that reach the whole pose, [k, n]; of N poses a list of N such arrays."""
-        return _rows(self.solutions, self.exists > 0)
-
-    @property
-    def allowed(self) -> Array | list[Array]:
-        """The same within the joints' limits."""
-        return _rows(self.solutions, (self.exists > 0) & (self.within > 0))
-
-
-class NearestSolution(NamedTuple):
-    """The branch nearest to the reference of a pose, or of N poses: then every array has N in front.
-
-    ``solution`` [n] (rad or m); ``solution_exists``, ``solution_within``, ``solution_singular`` [], 1 or 0 as
-    in :class:`Solutions`; ``branch`` [], its place among all branches, from 0.
-    """
-
-    solution: Array
-    solution_exists: Array
-    solution_within: Array
-    solution_singular: Array
-    branch: Array
-
-
-@functools.cache
-def named_results(names: tuple[str, ...]) -> type[tuple[Array, ...]]:
-    """The tuple that the results called ``names`` are handed back in."""
-    for kind in (Solutions, TaskSolutions, NearestSolution):
-        if names == kind._fields:
-            return kind
-
-    def reduced(self: tuple[Array, ...]) -> tuple[Any, ...]:
-        return handed_back, (names, tuple(self))  # pickle does not find a class that is made here
-
-    namedtuple: Any = collections.namedtuple  # of names that are known when this runs
-    made = namedtuple("Results", names, rename=True)
-    made.__reduce__ = reduced
-    results: type[tuple[Array, ...]] = made
-    return results
-
-
-def handed_back(names: tuple[str, ...], results: Sequence[Array]) -> Array | tuple[Array, ...]:
-    """The results called ``names``: one array as it is, several as a tuple with these names."""
-    return results[0] if len(results) == 1 else named_results(names)._make(results)  # type: ignore[attr-defined]
-
-
-def _rows(solutions: Array, chosen: Array) -> Array | list[Array]:
-    if solutions.ndim == 2:
-        return solutions[chosen]
-    return [rows[which] for rows, which in zip(solutions, chosen, strict=True)]

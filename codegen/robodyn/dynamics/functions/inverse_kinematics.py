@@ -22,24 +22,31 @@ SOLUTIONS = Array("solutions", "joint positions, a row for each branch", "rad", 
 EXISTS = Array(
     "exists",
     "1 for a branch that reaches the pose; 0 where its row is the nearest that it comes",
-    "",
-    shape=("b",),
+    "", shape=("b",), says="truth",
+)  # fmt: skip
+WITHIN = Array("within", "1 for a row within the joints' limits, else 0", "", shape=("b",), says="truth")
+SINGULAR = Array(
+    "singular", "1 for a branch that meets another or leaves a joint free", "", shape=("b",), says="truth"
 )
-WITHIN = Array("within", "1 for a row within the joints' limits, else 0", "", shape=("b",))
-SINGULAR = Array("singular", "1 for a branch that meets another or leaves a joint free", "", shape=("b",))
-COUNT = Array("solution_count", "how many branches reach the pose", "", shape=())
+COUNT = Array("solution_count", "how many branches reach the pose", "", shape=(), says="count")
 PLACED = Array(
-    "placed", "1 for a branch that reaches the tool's place, if not its rotation", "", shape=("t",)
-)
+    "placed", "1 for a branch that reaches the tool's place, if not its rotation", "", shape=("t",),
+    says="truth",
+)  # fmt: skip
 OFF = Array("off", "by what angle a branch misses the tool's rotation", "rad", shape=("t",))
 
 SOLUTION = Array("solution", "joint positions", "rad", "m")
 REACHED = Array(
-    "solution_exists", "1 where they reach the pose, 0 where they are the nearest to it", "", shape=()
+    "solution_exists", "1 where they reach the pose, 0 where they are the nearest to it", "", shape=(),
+    says="truth",
+)  # fmt: skip
+ALLOWED = Array(
+    "solution_within", "1 where they are within the joints' limits, else 0", "", shape=(), says="truth"
 )
-ALLOWED = Array("solution_within", "1 where they are within the joints' limits, else 0", "", shape=())
-MEETING = Array("solution_singular", "1 where two branches meet or a joint is free, else 0", "", shape=())
-BRANCH = Array("branch", "which branch it is, from 0", "", shape=())
+MEETING = Array(
+    "solution_singular", "1 where two branches meet or a joint is free, else 0", "", shape=(), says="truth"
+)
+BRANCH = Array("branch", "which branch it is, from 0", "", shape=(), says="count")
 
 
 def _closed_form(at: Dynamics) -> Inverse:

@@ -27,7 +27,8 @@ class Array(NamedTuple):
     """An argument of a kernel: what it holds, its unit (and that at prismatic joints, where it is another),
     and the shape of one state's, ``()`` for a single number. C and Fortran have it as one row of numbers,
     matrices row by row. ``optional``: calls from Python may leave it out, it is zero then, and that of one
-    state may go with many states."""
+    state may go with many states. ``says``: whether its numbers are true (1) or not (0), or count; in Python
+    they are bools and ints."""
 
     name: str
     holds: str
@@ -35,6 +36,7 @@ class Array(NamedTuple):
     prismatic: str = ""
     shape: tuple[Length, ...] = ("n",)
     optional: bool = False
+    says: Literal["number", "truth", "count"] = "number"
 
     def shape_at(self, n: int, p: int = 0, b: int = 0) -> tuple[int, ...]:
         """The shape for ``n`` joints, ``p`` base parameters and ``b`` branches."""
