@@ -14,6 +14,7 @@ from robodyn.optimize.records.record import function_key, header
 from robodyn.robot import Robot
 from robodyn.robot.model import (
     Comparison,
+    Coupling,
     Covariance,
     EffectEntry,
     Gear,
@@ -48,6 +49,7 @@ CHANGED: dict[tuple[type, str], tuple[Robot, bool]] = {
     (Robot, "name"): (replace(BASE, name="other"), False),
     (Robot, "title"): (replace(BASE, title="other"), False),
     (Robot, "source"): (replace(BASE, source="other"), False),
+    (Robot, "couplings"): (replace(BASE, couplings=(Coupling(2, 1),)), True),
     (Robot, "covariance"): (replace(BASE, covariance=Covariance("identify.json")), False),
     (Robot, "compare"): (replace(BASE, compare=Comparison("2.10", "puma_6")), False),
     (Robot, "links"): (replace(BASE, links=BASE.links[:2]), True),

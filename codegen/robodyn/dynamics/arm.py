@@ -10,6 +10,7 @@ from typing import Any
 from robodyn.dynamics.vectors import BASE, ZERO, Frame, Mark, Vector
 from robodyn.effects.scalars import cosine, is_zero, sine
 from robodyn.ir.program import Label
+from robodyn.robot.coupling import no_couplings
 from robodyn.robot.model import Inertia, Placement, Robot
 from robodyn.robot.values import Affine, Angle, Value
 
@@ -177,8 +178,13 @@ def build_arm(robot: Robot, constant: Callable[[Fraction], Any], parameter: Call
     """``robot`` with ``constant`` applied to its constants and ``parameter`` to its run-time names.
 
     With ``torque_side: link`` rotor and friction are not in the torque and are left out. A payload is part of
-    the last body.
+    the last body. Where joints follow others, who knows of that asks for the arm of :attr:`Robot.free`.
+
+    Raises
+    ------
+    InputError: joints follow others.
     """
+    no_couplings(robot, "this")
 
     def scalar(value: Value) -> Any:
         return scalar_of(value, constant, parameter)

@@ -20,6 +20,7 @@ def identity(robot: Robot) -> str:
     if robot.dead_band is not None:
         lines.append(f"dead band {robot.dead_band}")
     lines += [_effect(entry) for entry in robot.effects]
+    lines += [f"coupling {x.joint} {x.of} {x.ratio} {x.offset}" for x in robot.couplings]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:32]
 
 

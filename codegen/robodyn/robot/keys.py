@@ -86,7 +86,7 @@ def _tables() -> dict[str, tuple[Key, ...]]:
 
 _TABLES = _tables()
 INERTIA, LIMITS, FRICTION = _TABLES["inertia"], _TABLES["limits"], _TABLES["friction"]
-LINK, ROBOT = _TABLES["link"], _TABLES["robot"]
+LINK, ROBOT, COUPLING = _TABLES["link"], _TABLES["robot"], _TABLES["coupling"]
 
 
 def allowed(value: Fraction, sign: Sign) -> bool:

@@ -14,6 +14,7 @@ from robodyn.robot.parts import (
     AXES,
     Comparison,
     Confidence,
+    Coupling,
     Covariance,
     EffectEntry,
     Exact,
@@ -33,6 +34,7 @@ __all__ = [
     "AXES",
     "Comparison",
     "Confidence",
+    "Coupling",
     "Covariance",
     "EffectEntry",
     "Gear",
@@ -70,6 +72,8 @@ class Robot:
     the last link's frame by it, in the last one here. ``file`` is where the description was read, None if it
     came from no file; records may lie beside it. ``account``: what the reading of a file in another format
     came upon, None where there was no such file. ``covariance``: of numbers that were identified together.
+    ``couplings``: which joints follow others (:mod:`robodyn.robot.coupling`); what moves by itself is
+    commanded.
     """
 
     name: str
@@ -88,6 +92,7 @@ class Robot:
     standard_end: Placement | None = None
     account: Account | None = field(default=None, compare=False, repr=False)
     covariance: Covariance | None = None
+    couplings: tuple[Coupling, ...] = ()
 
     def __repr__(self) -> str:
         """A screen's worth: one line a joint, the first twenty. :func:`~robodyn.robot.to_yaml` shows all."""
@@ -108,6 +113,17 @@ class Robot:
     def n(self) -> int:
         """Number of joints."""
         return len(self.links)
+
+    @property
+    def commanded(self) -> tuple[int, ...]:
+        """The joints, from 0, that follow no other: the coordinates of kernels, base to tip."""
+        following = {coupling.joint - 1 for coupling in self.couplings}
+        return tuple(i for i in range(self.n) if i not in following)
+
+    @property
+    def free(self) -> Robot:
+        """The same arm with every joint moving by itself."""
+        return replace(self, couplings=()) if self.couplings else self
 
     @property
     def base_gravity(self) -> Exact:

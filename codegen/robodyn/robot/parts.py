@@ -234,6 +234,17 @@ class EffectEntry:
 
 
 @dataclass(frozen=True, slots=True)
+class Coupling:
+    """The joint number ``joint`` follows the joint ``of``, both from 1: ``q = ratio q_of + offset`` [rad or
+    m]. What one joint follows in several couplings adds up."""
+
+    joint: int
+    of: int
+    ratio: Fraction = Fraction(1)
+    offset: Fraction = ZERO
+
+
+@dataclass(frozen=True, slots=True)
 class Comparison:
     """The row of a table of the thesis that a robot is set beside."""
 

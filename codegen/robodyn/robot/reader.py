@@ -111,6 +111,10 @@ def _robot(section: Section) -> Robot:
         assert end is not None
         tool = tool_from_standard(tool, end)
     robot = replace(robot, tool=tool)
+    if nodes := section.items("couplings"):
+        from robodyn.robot.reading_couplings import read_couplings  # an arm without any does without
+
+        robot = replace(robot, couplings=read_couplings(section.source, nodes, robot))
     if effects:
         from robodyn.robot.folding import into_robot
 

@@ -12,6 +12,7 @@ from robodyn.robot.account import PARTS, Account, Origin, origins_to_state
 from robodyn.robot.model import (
     AXES,
     Confidence,
+    Coupling,
     EffectEntry,
     Inertia,
     Joint,
@@ -57,6 +58,7 @@ def to_yaml(robot: Robot) -> str:
     for i, link in enumerate(robot.links, 1):
         lines += _link_lines(link, i, common, origins)
         lines += _effect_lines(robot.effects_at(i), "    ")
+    lines += ["couplings:"] * bool(robot.couplings) + [f"  - {_coupling(robot, x)}" for x in robot.couplings]
     if robot.tool is not None:
         lines.append(f"tool: {_placement(robot.tool)}")
     if robot.standard_end is not None:
@@ -185,6 +187,18 @@ def _limits(limits: Limits) -> str:
         value = getattr(limits, name)
         if value is not None:
             parts.append(f"{name}: {number_text(value)}")
+    return "{" + ", ".join(parts) + "}"
+
+
+def _coupling(robot: Robot, coupling: Coupling) -> str:
+    follower, leader = (robot.links[joint - 1] for joint in (coupling.joint, coupling.of))
+    parts = [f"joint: {_quoted(follower.name)}, of: {_quoted(leader.name)}"]
+    if coupling.ratio != 1:
+        parts.append(f"ratio: {number_text(coupling.ratio)}")
+    if coupling.offset:
+        part = _part_of_pi(Fraction(float(coupling.offset) / math.pi).limit_denominator(_PARTS))
+        same = numbers.rounded(numbers.parse(part).value) == coupling.offset
+        parts.append(f"offset: {part if same else number_text(coupling.offset)}")
     return "{" + ", ".join(parts) + "}"
 
 

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 
 from robodyn.arrays import Floats
 from robodyn.errors import InputError
+from robodyn.robot.coupling import no_couplings
 from robodyn.robot.model import EffectEntry, Inertia, Link, Placement, Robot
 from robodyn.verify.effects import Drives, Reactions
 from robodyn.verify.numbers import Parameters, exact_value, filled
@@ -65,10 +66,12 @@ class Reference:
 
     Raises
     ------
-    InputError: a run-time parameter has no value; an array has the wrong shape.
+    InputError: a run-time parameter has no value; an array has the wrong shape; joints follow others
+        (:mod:`robodyn.verify.coupled`).
     """
 
     def __init__(self, robot: Robot, parameters: Parameters | None = None) -> None:
+        no_couplings(robot, "a reference of joints")
         values = filled(robot, parameters)
         self.robot = robot
         loads = [_load(entry, values) for entry in robot.effects if entry.effect == "payload"]
