@@ -30,6 +30,8 @@ def record(
         "robot": robot.name, "function": function, "formulation": formulation, **count.to_dict(),
         "thesis": None if printed is None else printed.to_dict(),
     }  # fmt: skip
+    if robot.couplings:
+        row["coordinates"] = [robot.links[joint].name for joint in robot.commanded]
     if rigid is not None:
         row["rigid"] = rigid.to_dict()
         row["effects"] = {kind: row[kind] - number for kind, number in rigid.to_dict().items()}
@@ -84,7 +86,12 @@ def lines(robot: Robot, rows: Iterable[tuple[str, str, str, Count]]) -> list[str
         if printed:
             notes[f"thesis: Table {printed.table}, {printed.row}: {printed.note}"] = None
     words = (0, len(heads) - 2, len(heads) - 1)
-    return [*aligned(table, left=words), *(line for note in notes for line in wrapped(note))]
+    from robodyn.robot.coupling import coupling_lines
+
+    return [
+        *aligned(table, left=words),
+        *(line for note in (*notes, *coupling_lines(robot)) for line in wrapped(note)),
+    ]
 
 
 def pruning_lines(prunings: Mapping[Any, Pruning]) -> list[str]:

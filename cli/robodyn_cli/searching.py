@@ -52,6 +52,8 @@ class Search:
             return options
         if self.seeds is not None and self.on is None:
             raise InputError("--seeds says nothing without --on", remedy="add --on local")
+        from robodyn.robot.coupling import no_couplings
+
         if not options.takes_records:
             regroup = "" if options.regroup else " --no-regroup"
             raise InputError(
@@ -59,6 +61,7 @@ class Search:
                 found=f"--formulation {options.formulation} --engine {options.engine}{regroup}",
                 remedy="remove these options, or use --optimize fast",
             )
+        no_couplings(robot, "a search")
         return self._searched(robot, options, functions)
 
     def _searched(self, robot: Robot, options: Options, functions: Sequence[str]) -> Options:

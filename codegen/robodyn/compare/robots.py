@@ -18,6 +18,7 @@ from robodyn.errors import InputError
 from robodyn.formats.chain import Pose
 from robodyn.formats.writers.parts import Frame, PartJoint, Parts, parts_of
 from robodyn.kernels.robot_kernel import count
+from robodyn.robot.coupling import followers
 from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import Robot
 from robodyn.robot.names import shown
@@ -29,8 +30,8 @@ from robodyn.verify.sample import Sample, draw, draw_parameters
 Array = NDArray[np.float64]
 #: Kinds of differences, in the order in which they are listed.
 GROUPS: Final = (
-    "joints", "names", "parameters", "gravity", "axes", "links", "rotors", "friction", "effects", "limits",
-    "tool", "torques",
+    "joints", "names", "couplings", "parameters", "gravity", "axes", "links", "rotors", "friction",
+    "effects", "limits", "tool", "torques",
 )  # fmt: skip
 
 
@@ -107,6 +108,7 @@ def compare(
     states: int = STATES,
 ) -> Comparison:
     """``left`` beside ``right``; what is within ``tolerance``, and groups to ``ignore``, are no differences.
+    Where joints follow others, torques are those of all joints, each moving by itself.
 
     ``parameters``: values of the run-time parameters of both; without them they are random.
 
@@ -119,7 +121,7 @@ def compare(
         what = "nothing of this name is compared"
         raise InputError(what, found=shown(wrong[0]), expected=", ".join(GROUPS))
     listed = list(_of_lists(left, right))
-    arms = [_filled(robot, parameters) for robot in (left, right)]
+    arms = [_filled(robot.free, parameters) for robot in (left, right)]
     torques, largest, tool = None, 0.0, None
     unknown = [f"torques: {arm.name} has masses that nobody states" for arm in arms if unknown_masses(arm)]
     if left.n == right.n:
@@ -158,6 +160,11 @@ def _of_lists(left: Robot, right: Robot) -> Iterator[Difference]:
             yield Difference("joints", one.name, "kind", one.joint.kind, other.joint.kind)
         if one.name != other.name:
             yield Difference("names", one.name, "name", one.name, other.name)
+    followed = [followers(robot) for robot in (left, right)]
+    for name in dict.fromkeys(name for each in followed for name in each):
+        one_text, other_text = (each.get(name) for each in followed)
+        if one_text != other_text:
+            yield Difference("couplings", name, "follows", one_text, other_text)
     if left.name != right.name:
         yield Difference("names", "", "name of the robot", left.name, right.name)
     if left.parameters != right.parameters:

@@ -8,6 +8,7 @@ have no part in it.
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
@@ -21,9 +22,10 @@ from robodyn.ir.field import FINAL_BITS, Field, Residue
 from robodyn.ir.fingerprint import digest, fingerprint, in_drawn_field
 from robodyn.ir.graph import Graph
 from robodyn.ir.program import Input, Program
+from robodyn.robot.coupling import transmission_of
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
-from robodyn.robot.values import circle_point
+from robodyn.robot.values import angle, circle_point
 
 if TYPE_CHECKING:
     from robodyn.dynamics.base_set import BaseParameter
@@ -48,8 +50,7 @@ def same_in_field(robot: Robot, function: str, program: Program) -> bool:
         def number(x: Fraction) -> int | Residue:
             return int(x) if x in _FEW else Residue(field, field.number(x))
 
-        angles = [field.angle(Input("q", i)) for i in range(robot.n)]
-        circle = [(Residue(field, c), Residue(field, s)) for c, s in angles]
+        circle = [(Residue(field, c), Residue(field, s)) for c, s in _angles(robot, field)]
         plain = _Plain(robot, number, {x: Residue(field, field.variable(x)) for x in inputs}, circle)
         results = [Residue(field, value) for value in fingerprint(program, field, circle_point)]
         return plain.gives(function, results)
@@ -62,9 +63,11 @@ def equals_recursion(robot: Robot, function: str, program: Program, *, points: i
     """Whether ``program`` gives, at ``points`` rational points that are drawn from a hash of it, exactly what
     the plain recursion gives. ``program`` computes ``function`` from ``q`` (not from given sines).
 
-    :class:`ValueError` where friction is smooth at rest, its tanh has no exact value, and where drives have
-    effects.
+    :class:`ValueError` where friction is smooth at rest, its tanh has no exact value, where drives have
+    effects, and where joints follow others.
     """
+    if robot.couplings:
+        raise ValueError("sines of parts of an angle have no exact value")
     if robot.rest_velocity is not None and any(link.joint.coulomb for link in robot.links):
         raise ValueError("tanh has no exact value")
     chance = random.Random(f"{digest(program).hex()} {identity(robot)} {function}")
@@ -87,19 +90,39 @@ def equals_recursion(robot: Robot, function: str, program: Program, *, points: i
     return all(same() for _ in range(points))
 
 
+def _angles(robot: Robot, field: Field) -> list[tuple[int, int]]:
+    """The points of the circle that stand for the joints' angles: of joints that follow others multiples of
+    those of the coordinates, which are divided as far as that takes."""
+    if not robot.couplings:
+        return [field.angle(Input("q", i)) for i in range(robot.n)]
+    transmission = transmission_of(robot)
+    for k, column in enumerate(transmission.columns()):
+        field.divide(Input("q", k), math.lcm(*(g.denominator for _, g in column)))
+    points = []
+    for row, offset in zip(transmission.rows, transmission.offsets, strict=True):
+        start = angle(offset)
+        point = field.number(start.cos), field.number(start.sin)
+        for k, g in row.items():
+            part = field.multiple(field.angle(Input("q", k), g.denominator), g.numerator)
+            point = field.turn(point, part)
+        points.append(point)
+    return points
+
+
 def _inputs(robot: Robot, function: str) -> list[Input]:
     """All that ``function`` of ``robot`` may depend on."""
     if not all(entry.definition.traits.body for entry in robot.effects):
         raise ValueError("the plain recursion is that of the rigid arm")
     p = len(_base_set(robot)) if function_named(function).has_parameters else 0
-    arrays = [Input(array.name, i) for array in INPUTS for i in range(array.size_at(robot.n, p))]
+    n = len(robot.commanded)
+    arrays = [Input(array.name, i) for array in INPUTS for i in range(array.size_at(n, p))]
     return arrays + [Input(name, None) for name in robot.parameters]
 
 
 def _base_set(robot: Robot) -> tuple[BaseParameter, ...]:
     from robodyn.dynamics.base_set import base_set
 
-    return base_set(build_arm(robot, lambda x: x, Graph().input))
+    return base_set(build_arm(robot.free, lambda x: x, Graph().input))
 
 
 class _Plain(PlainDynamics):
@@ -113,11 +136,12 @@ class _Plain(PlainDynamics):
         values: Mapping[Input, Any],
         circle: Sequence[Circle],
     ) -> None:
-        self.arm = build_arm(robot, constant, lambda name: values[Input(name, None)])
+        self.arm = build_arm(robot.free, constant, lambda name: values[Input(name, None)])
+        self.transmission, self.number = transmission_of(robot) if robot.couplings else None, constant
         self.inputs = {
             array.name: [value for x, value in values.items() if x.is_of(array.name)] for array in INPUTS
         }
-        self.rest = [0] * robot.n
+        self.rest = [0] * len(robot.commanded)
         self._robot, self._constant, self._circle = robot, constant, circle
 
     def gives(self, function: str, results: Sequence[Any]) -> bool:
@@ -135,7 +159,8 @@ class _Plain(PlainDynamics):
                 total = turn(total, (c, sign * s))
             return total
 
-        return build_motion(self.arm, self.inputs["q"], qd, qdd, trigonometry, self._constant)
+        q, qd, qdd = self.joint_positions(), self.spread(qd), self.spread(qdd)
+        return build_motion(self.arm, q, qd, qdd, trigonometry, self._constant)
 
     def base_set(self) -> tuple[BaseParameter, ...]:
         """The base parameters, by the exact numbers of the robot."""

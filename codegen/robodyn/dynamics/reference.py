@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
-from robodyn.dynamics.arm import Arm, Motion, inertial, into_child, origin
+from robodyn.dynamics.arm import Arm, Body, Motion, inertial, into_child, origin
 from robodyn.dynamics.joints import rotors_of
 from robodyn.dynamics.limits import ROUNDING
 from robodyn.dynamics.lump import NO_LUMP, MomentForm
@@ -16,6 +17,9 @@ from robodyn.dynamics.regroup import lumps_of
 from robodyn.dynamics.state import First, Moving, RigidDrives, Rotor
 from robodyn.dynamics.vectors import ZERO, Vector, cross, dot, minus, plus, scaled, unmarked
 from robodyn.effects.scalars import quotient
+
+if TYPE_CHECKING:
+    from robodyn.robot.coupling import Transmission
 
 
 def energies(arm: Arm, motion: Motion) -> tuple[Any, Any]:
@@ -102,6 +106,32 @@ class PlainDynamics(RigidDrives, ABC):
     arm: Arm
     inputs: Mapping[str, Sequence[Any]]
     rest: Sequence[Any]
+    #: How joints follow others, if they do; ``number`` makes a rational of it a scalar.
+    transmission: Transmission | None = None
+    number: Callable[[Fraction], Any]
+
+    @property
+    def link_count(self) -> int:  # type: ignore[override]
+        """How many links there are where joints follow others."""
+        return len(self.transmission.rows) if self.transmission else 0
+
+    def driven(self) -> Sequence[Body]:
+        """The bodies whose joints follow no other."""
+        bodies = self.arm.bodies
+        return [bodies[k] for k in self.transmission.commanded] if self.transmission else bodies
+
+    def joint_positions(self) -> Sequence[Any]:
+        """The positions of all joints."""
+        q = self.inputs["q"]
+        return self.transmission.joints(q, self.number) if self.transmission else q
+
+    def spread(self, rates: Sequence[Any]) -> Sequence[Any]:
+        """The rates of all joints."""
+        return self.transmission.spread(rates, self.number) if self.transmission else rates
+
+    def folded(self, torques: Sequence[Any]) -> list[Any]:
+        """Torques of all joints as those of the commanded."""
+        return self.transmission.folded(torques, self.number) if self.transmission else list(torques)
 
     @abstractmethod
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
@@ -123,16 +153,29 @@ class PlainDynamics(RigidDrives, ABC):
         return reactions(self.arm, self.motion(qd, qdd), w)
 
     def rotors(self) -> list[Rotor]:
-        """The rotors of the joints."""
-        return rotors_of(self.arm)
+        """The rotors of the joints, by the rates of those that are commanded."""
+        return self.rotors_in_coordinates(rotors_of(self.arm))
+
+    def rotors_in_coordinates(self, rotors: Iterable[Rotor]) -> list[Rotor]:
+        """``rotors`` of joints, by the rates of those that are commanded."""
+        of = self.transmission
+        if of is None:
+            return list(rotors)
+        return [
+            Rotor(
+                rotor.inertia,
+                tuple((k, ratio * self.number(g)) for i, ratio in rotor.rates for k, g in of.rows[i].items()),
+            )
+            for rotor in rotors
+        ]
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n]."""
-        return newton_euler(self.arm, self.motion(qd, qdd))
+        return self.folded(newton_euler(self.arm, self.motion(qd, qdd)))
 
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Joint torques [n] without gravity and friction."""
-        return newton_euler(inertial(self.arm), self.motion(qd, qdd))
+        return self.folded(newton_euler(inertial(self.arm), self.motion(qd, qdd)))
 
     def mass_matrix(self) -> list[list[Any]]:
         """Mass matrix [n][n]: torques of unit accelerations less those of none, of the arm at rest."""
@@ -152,4 +195,5 @@ class PlainDynamics(RigidDrives, ABC):
         from robodyn.dynamics.dual import moving_along, slopes
 
         motion = self.motion(self.inputs["qd"], qdd)
-        return slopes(newton_euler(self.arm, moving_along(self.arm, motion, dq, dqd, [0] * len(dq))))
+        along = moving_along(self.arm, motion, *map(self.spread, (dq, dqd, [0] * len(dq))))
+        return self.folded(slopes(newton_euler(self.arm, along)))

@@ -12,7 +12,7 @@ from robodyn.dynamics.vectors import Mark
 from robodyn.errors import InputError
 
 if TYPE_CHECKING:
-    from robodyn.dynamics.arm import Arm, Motion
+    from robodyn.dynamics.arm import Arm, Body, Motion
     from robodyn.dynamics.lump import Lump, MomentForm
     from robodyn.dynamics.parallel import Turns
 
@@ -172,6 +172,27 @@ class Dynamics(Protocol):
         """Mass matrix ``[n][n]``, rotors included [kg m^2, kg m, kg]."""
         ...
 
+    @property
+    def link_count(self) -> int:
+        """How many links there are where joints follow others; else 0: as many as joints."""
+        ...
+
+    def driven(self) -> Sequence[Body]:
+        """The bodies ``[n]`` whose joints motors move: those that follow no other."""
+        ...
+
+    def spread(self, rates: Vector) -> Vector:
+        """The rates of all joints of ``arm`` at the ``rates`` ``[n]``; more where some follow others."""
+        ...
+
+    def folded(self, torques: Vector) -> Vector:
+        """The torques ``[n]`` that do as much work as ``torques`` of all joints of ``arm``."""
+        ...
+
+    def of(self, function: str) -> Vector:
+        """The results of another function; only where joints follow others."""
+        ...
+
 
 class ReferenceDynamics(Dynamics, Protocol):
     """Dynamics that functions are checked by."""
@@ -183,7 +204,27 @@ class ReferenceDynamics(Dynamics, Protocol):
 
 
 class RigidDrives:
-    """Dynamics without friction that depends on loads; see :class:`Dynamics`."""
+    """Dynamics without friction that depends on loads, of joints that move by themselves; see
+    :class:`Dynamics`."""
+
+    link_count = 0
+    arm: Arm
+
+    def driven(self) -> Sequence[Body]:
+        """All bodies."""
+        return self.arm.bodies
+
+    def spread(self, rates: Vector) -> Vector:
+        """The ``rates`` themselves."""
+        return rates
+
+    def folded(self, torques: Vector) -> Vector:
+        """The ``torques`` themselves."""
+        return torques
+
+    def of(self, function: str) -> Vector:
+        """Nothing is written so where no joint follows another (:class:`NotImplementedError`)."""
+        raise NotImplementedError(function)
 
     @abstractmethod
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Sequence[Any]:

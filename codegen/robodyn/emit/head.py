@@ -13,6 +13,7 @@ from robodyn.emit.spelling import WIDTH
 from robodyn.emit.unit import Unit, counted
 from robodyn.ir.signature import Signature
 from robodyn.robot.account import account_lines
+from robodyn.robot.coupling import coupling_lines
 from robodyn.robot.identity import identity
 from robodyn.robot.model import EffectEntry, Inertia, Joint, Placement, Robot
 from robodyn.robot.values import Affine, Angle, Value
@@ -63,7 +64,8 @@ def head_lines(unit: Unit, language: Language) -> list[str]:
     say(f"Gravity in the base frame: {', '.join(repr(float(g)) for g in robot.base_gravity)} m/s^2")
     frames = (("Base frame in the world", robot.base), ("Tool frame in the last link", robot.tool))
     say(*(f"{where}: {_placed(frame)}" for where, frame in frames if frame is not None))
-    say("Arguments, in SI units, joint 1 first:")
+    say(*coupling_lines(robot), indent="  ")
+    say(f"Arguments, in SI units, {'base to tip' if robot.couplings else 'joint 1 first'}:")
     width = max(4, *map(len, unit.arrays))
     say(*(f"  {array:{width}} {array_named(array).text}" for array in unit.arrays), indent="      ")
     for line in _sides(robot):

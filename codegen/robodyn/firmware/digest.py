@@ -67,8 +67,9 @@ def ranges(robot: Robot, arrays: Sequence[str], scalar: ScalarType) -> tuple[Ran
     """The ranges of ``arrays`` (of q, qd, qdd, tau, q_near, T), within the joints' limits; where there is
     none, those of :func:`robodyn.verify.sample.draw`. T is any numbers, about as far as the arm reaches: no
     rotation, which bits do not ask for."""
-    bounds = [bounds_of(link.joint) for link in robot.links]
-    for joint, link in zip(bounds, robot.links, strict=True):
+    links = [robot.links[joint] for joint in robot.commanded]
+    bounds = [bounds_of(link.joint) for link in links]
+    for joint, link in zip(bounds, links, strict=True):
         if link.joint.kind == "revolute":  # of many turns those around zero, where sines are best
             low, high = joint[0]
             joint[0] = max(low, min(high, -_TURNS)), min(high, max(low, _TURNS))
@@ -76,7 +77,7 @@ def ranges(robot: Robot, arrays: Sequence[str], scalar: ScalarType) -> tuple[Ran
     result = []
     for array in arrays:
         if array == "tau":
-            limits = [link.joint.limits.torque for link in robot.links]
+            limits = [link.joint.limits.torque for link in links]
             spans = [(-t, t) for t in (_TORQUE if x is None else float(x) for x in limits)]
         elif array == POSE.name:
             base = (0, 0, 0) if robot.base is None else robot.base.xyz

@@ -177,7 +177,7 @@ def _context(
         "name": robot.name,
         "prefix": robot.name.upper(),
         "guard": robot.name.upper(),
-        "n": robot.n,
+        "n": len(robot.commanded),
         "scalar": scalar,
         **image_context(targets),
         "flags": FLAGS,

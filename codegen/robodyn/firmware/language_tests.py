@@ -109,7 +109,7 @@ def _states(generated: Generated, signature: Signature) -> dict[Input, NDArray[n
     sizes = [*signature.inputs, ("state", len(signature.states)), ("dt", int(bool(signature.states)))]
     for k, (array, size) in enumerate(sizes):
         span = Range(array, (0.0,) * size, (_MEMORY if array == "state" else 1.0,) * size)
-        if array in known and size == robot.n:
+        if array in known and size == len(robot.commanded):
             (span,) = ranges(robot, (array,), scalar)
         if not size:
             continue

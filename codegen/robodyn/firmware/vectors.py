@@ -164,7 +164,7 @@ def confirm(
     record = function_named(function)
     rows = np.empty((len(expected), len(expected[0])), object)
     rows[:] = expected
-    along = np.tile([Fraction(1, j + 1) for j in range(robot.n)], (len(rows), 1))
+    along = np.tile([Fraction(1, j + 1) for j in range(len(robot.commanded))], (len(rows), 1))
     pairs = exact_oracle(robot, parameters).compared(record, states, rows, along)
     fastest = Fraction(1)
     if record.expected is None:  # then these torques are of what the function gives

@@ -42,7 +42,7 @@ class Field:
     The prime is 3 modulo 4: ``1 + t * t`` is never 0, and every ``t`` gives a point of the circle.
     """
 
-    __slots__ = ("_circles", "_inverses", "_key", "prime")
+    __slots__ = ("_circles", "_divisions", "_inverses", "_key", "prime")
 
     def __init__(
         self,
@@ -54,6 +54,7 @@ class Field:
         text = seed.encode() if isinstance(seed, str) else seed
         self._key = hashlib.blake2b(text, digest_size=32).digest()
         self.prime = prime or drawn_prime(text if prime_seed is None else prime_seed, bits)
+        self._divisions: dict[Input, int] = {}
         self._circles: dict[str, tuple[int, int]] = {}
         self._inverses: dict[int, int] = {1: 1}
 
@@ -67,7 +68,15 @@ class Field:
 
     def angle(self, x: Input, parts: int = 1) -> tuple[int, int]:
         """A random point (cos, sin) of the unit circle for an input that is an angle, or for a part of it."""
+        whole = self._divisions.get(x, 0)
+        if whole and whole % parts == 0:
+            return self.multiple(self.circle(f"{x.array} {x.index} / {whole}"), whole // parts)
         return self.circle(f"{x.array} {x.index} / {parts}")
+
+    def divide(self, x: Input, parts: int) -> None:
+        """Make the angles ``x / k`` multiples of one, ``x / parts``, wherever ``k`` divides ``parts``: the
+        angles of joints that follow another are then the multiples of its own that they are."""
+        self._divisions[x] = parts
 
     def circle(self, name: str) -> tuple[int, int]:
         """A random point (cos, sin) of the unit circle, the same for the same ``name``."""

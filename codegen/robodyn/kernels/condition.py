@@ -28,6 +28,7 @@ from robodyn.ir.fingerprint import digest
 from robodyn.ir.program import Input, Program
 from robodyn.kernels.with_effects import steady_torques
 from robodyn.optimize.programs import base_set_of
+from robodyn.robot.coupling import transmission_of
 from robodyn.robot.identity import identity
 from robodyn.robot.model import Robot
 
@@ -63,12 +64,12 @@ def _meets_condition(robot: Robot, function: str, program: Program, digits: int)
         inputs = {
             Input(array.name, i): drawn() * chance.choice((-1, 1))
             for array in INPUTS
-            for i in range(array.size_at(robot.n))
+            for i in range(array.size_at(len(robot.commanded)))
         }
         inputs |= {Input(name, None): drawn() for name in robot.parameters}
         results = evaluate_to_digits(program, inputs)
         elements = [x for row in results.values() for x in row]
-        anywhere = [drawn() for _ in range(robot.n)]
+        anywhere = [drawn() for _ in robot.commanded]
         share = mpmath.mpf(10) ** -(digits // 3)
         reference = _ToDigits(robot, inputs, share)
         one, other = function_named(function).compared(reference, elements, anywhere)
@@ -87,10 +88,11 @@ class _ToDigits(PlainDynamics):
         self.inputs = {
             array.name: [x for key, x in inputs.items() if key.is_of(array.name)] for array in INPUTS
         }
-        self.rest = [0] * robot.n
-        self._torques = steady_torques(robot)
+        self.rest = [0] * len(robot.commanded)
+        self.transmission, self.number = transmission_of(robot) if robot.couplings else None, to_digits
+        self._torques = steady_torques(robot.free)
         self._parameters = {key: x for key, x in inputs.items() if key.index is None}
-        self.arm = build_arm(rigid_part(robot), to_digits, self._parameter)
+        self.arm = build_arm(rigid_part(robot.free), to_digits, self._parameter)
 
     def _parameter(self, name: str) -> Any:
         return self._values[Input(name, None)]
@@ -99,7 +101,7 @@ class _ToDigits(PlainDynamics):
         """The arm at ``q``, with these rates and accelerations."""
         import mpmath
 
-        q = self.inputs["q"]
+        q, qd, qdd = self.joint_positions(), self.spread(qd), self.spread(qdd)
 
         def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
             point = (to_digits(angle.offset.cos), to_digits(angle.offset.sin))
@@ -111,33 +113,37 @@ class _ToDigits(PlainDynamics):
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Motor torques [n]."""
-        return self._torques_at(self.inputs["q"], qd, qdd)
+        return self._torques_at(self.joint_positions(), self.spread(qd), self.spread(qdd))
 
     def _torques_at(self, q: Sequence[Any], qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         arrays = {"q": q, "qd": qd, "qdd": qdd}
         state = {Input(name, i): x for name, array in arrays.items() for i, x in enumerate(array)}
-        return evaluate_to_digits(self._torques, {**self._parameters, **state})["tau"]
+        return self.folded(evaluate_to_digits(self._torques, {**self._parameters, **state})["tau"])
 
     def torque_slopes(self, qdd: Sequence[Any], dq: Sequence[Any], dqd: Sequence[Any]) -> list[Any]:
         """Central differences, right to more digits than are compared."""
 
         def torques(way: Any) -> list[Any]:
             q, qd = (
-                [x + way * dx for x, dx in zip(self.inputs[name], direction, strict=True)]
-                for name, direction in (("q", dq), ("qd", dqd))
+                [x + way * dx for x, dx in zip(start, self.spread(direction), strict=True)]
+                for start, direction in (
+                    (self.joint_positions(), dq),
+                    (self.spread(self.inputs["qd"]), dqd),
+                )
             )
-            return self._torques_at(q, qd, qdd)
+            return self._torques_at(q, qd, self.spread(qdd))
 
         ends = zip(torques(self._step), torques(-self._step), strict=True)
         return [(x - y) / (2 * self._step) for x, y in ends]
 
     def inertial_torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Torques [n] of links and rotors, without gravity and what drives do besides."""
-        return with_rotors(super().inertial_torques(qd, qdd), self._layer().rotors(), qdd)
+        rotors = self.rotors_in_coordinates(self._layer().rotors())
+        return with_rotors(super().inertial_torques(qd, qdd), rotors, qdd)
 
     def rotors(self) -> list[Rotor]:
         """The rotors of the drives."""
-        return [*super().rotors(), *self._layer().rotors()]
+        return [*super().rotors(), *self.rotors_in_coordinates(self._layer().rotors())]
 
     def base_set(self) -> tuple[BaseParameter, ...]:
         """There are none: torques are not linear in any."""

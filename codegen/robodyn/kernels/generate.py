@@ -29,6 +29,7 @@ from robodyn.passes.trig_given import describe, given_layout, trig_given
 from robodyn.robot.model import Robot
 
 if TYPE_CHECKING:
+    from robodyn.kernels.coupled import Coupled
     from robodyn.kernels.layered import Layered
     from robodyn.optimize.prune import Pruning
 
@@ -189,8 +190,12 @@ def generate(
 
 def maker(
     robot: Robot, options: Options, pruning: Callable[[str], None] | None = None
-) -> RigidPrograms | Layered:
+) -> RigidPrograms | Layered | Coupled:
     """What makes the programs of ``robot``: the recursion, or the recursion beneath its effects."""
+    if robot.couplings:
+        from robodyn.kernels.coupled import Coupled
+
+        return Coupled(robot, options)
     if robot.effects:
         from robodyn.drives.drive import has_drive_effects, rigid_part
 

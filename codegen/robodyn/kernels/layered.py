@@ -56,7 +56,7 @@ class Layered:
         self.rigid = RigidPrograms(rigid_part(robot), options)
         layer = layer_of(robot, as_is, lambda _: 1)
         #: Whether bearings feel forces, which regrouped links do not show; whether effects remember.
-        self._reactions, self._has_states = bool(layer.needs_reactions), bool(layer.state_names)
+        self._reactions, self.has_states = bool(layer.needs_reactions), bool(layer.state_names)
         self._programs: dict[str, Program] = {}
         #: Nothing is pruned.
         self.prunings: dict[str, Pruning] = {}
@@ -78,17 +78,17 @@ class Layered:
             return self.rigid.best(function)
         check_solvable(self.robot, record)
         try:
-            _, passed = least(self._drafts(record), () if self.options.optimize == "none" else FRESH_SAVING)
+            _, passed = least(self.drafts(record), () if self.options.optimize == "none" else FRESH_SAVING)
             self._prove(record, passed)
         except ZeroDivisionError:  # a pivot that is zero as a number or, in a drawn field, as a function
             raise self.rigid.singular(function) from None
         return passed
 
-    def _drafts(self, record: Function) -> list[Program]:
+    def drafts(self, record: Function) -> list[Program]:
         """All ways to write ``record``: from its parts, and straight."""
         writings = range(len(record.writings(self.robot.n)))
         drafts: list[Program] = []
-        remembers = any(function_named(part).is_recursion for part in record.parts) and self._has_states
+        remembers = any(function_named(part).is_recursion for part in record.parts) and self.has_states
         # A step of what remembers is the inverse dynamics' own: elsewhere effects are in their steady form.
         # Friction that depends on the load feels a wrench: nothing can be taken from torques afterwards.
         felt = WRENCH in record.inputs and not is_affine(self.robot)
@@ -110,7 +110,7 @@ class Layered:
         """The rigid arm's best program, unless bearings feel what moves."""
         return None if self._reactions and function in moving() else self.rigid.best(function)
 
-    def _plain(self, record: Function) -> Program:
+    def plain(self, record: Function) -> Program:
         """``record`` by the recursion of the book, with the drives on it."""
 
         def rigid(function: str) -> Program | None:
@@ -132,7 +132,7 @@ class Layered:
             same = meets_condition(self.robot, record.name, program)
         else:
             context = (identity(self.robot).encode(), record.name.encode())
-            same = agree(program, self._plain(record), circle_point, *context, bits=FINAL_BITS)
+            same = agree(program, self.plain(record), circle_point, *context, bits=FINAL_BITS)
         if not same:
             raise Unequal(
                 f"{record.name} of {self.robot.name} differs from plain Newton-Euler with its effects; "

@@ -60,17 +60,26 @@ def signature(robot: Robot, function: str, scalar: ScalarType = "double") -> Sig
     ------
     InputError: an unknown function, or one that would rest on masses that nobody knows.
     """
-    record, n = function_named(function), robot.n
+    record, n = function_named(function), len(robot.commanded)
     if not record.geometric:
         require_masses(robot)
+    if record.of_pose and robot.couplings:
+        raise NoSuchFunction(
+            f"{robot.name} has no {record.words} yet: joints follow others",
+            found=f"{robot.n - n} of {robot.n} joints follow others",
+            expected="joints that move by themselves",
+            remedy="leave the function out",
+        )
     columns = base_set_of(robot) if record.has_parameters else ()
     p = len(columns)
     b = inverse_kinematics_of(robot).branches if record.has_branches else 0
     return Signature(
         robot=robot.name,
         function=function,
-        inputs=tuple((array.name, array.size_at(n, p, b)) for array in record.inputs),
-        outputs=tuple((array.name, size) for array in record.results if (size := array.size_at(n, p, b))),
+        inputs=tuple((array.name, array.size_at(n, p, b, robot.n)) for array in record.inputs),
+        outputs=tuple(
+            (array.name, size) for array in record.results if (size := array.size_at(n, p, b, robot.n))
+        ),
         parameters=robot.parameters,
         scalar=scalar,
         states=_states(robot) if record.is_recursion and robot.effects else (),
@@ -96,7 +105,7 @@ def base_set_of(robot: Robot) -> tuple[BaseParameter, ...]:
             remedy="leave the effects out; torque_side: link leaves out all but springs and bearings",
         )
     try:
-        return base_set(build_arm(robot, exact, Graph().input))
+        return base_set(build_arm(robot.free, exact, Graph().input))
     except InputError as error:
         raise NoSuchFunction(error.what, found=error.found, remedy=error.remedy) from None
 

@@ -42,7 +42,7 @@ def context(package: Package) -> dict[str, Any]:
         "package": package.name,
         "prefix": package.name.upper(),
         "contact": package.maintainer or NOT_STATED,
-        "n": robot.n,
+        "n": len(robot.commanded),
         "account": list(account_lines(robot)),
         "head": head_of(robot, [f"{title[:1].upper()}{title[1:]}."]),
     }

@@ -26,6 +26,7 @@ from robodyn.dynamics.functions import INPUTS, Function, function_named
 from robodyn.dynamics.functions.fusing import parts_of
 from robodyn.errors import InputError, ToolError
 from robodyn.robot.model import Robot
+from robodyn.verify.coupled import Following
 from robodyn.verify.judging import beside_terms, is_regular, relative_to, ulps_of
 from robodyn.verify.lagrangian import LIMIT
 from robodyn.verify.numbers import real
@@ -161,15 +162,15 @@ class _Run:
         self.values = values
         self.tolerance = TOLERANCE[kernel.scalar]
         sample = draw(robot, states, seed, kernel.dtype)
-        self.reference = reference = Reference(robot, values)
-        tau = reference.inverse_dynamics(sample.q, sample.qd, sample.qdd)
-        self.largest = float(np.abs(tau).max())
-        self.regular = is_regular(reference.mass_matrix(sample.q), kernel.dtype)
+        self.reference = Reference(robot.free, values)
         self._reference = reference_oracle(robot, values)
+        tau = self._reference.torque(sample.q, sample.qd, sample.qdd)
+        self.largest = float(np.abs(tau).max())
+        self.regular = is_regular(self._reference.mass_matrix(sample.q), kernel.dtype)
         self._largest: dict[str, Floats] = {}
         rounded = tau.astype(kernel.dtype).astype(np.float64)
         more = drawn_besides(kernel.signatures.values(), states, seed, kernel.dtype)
-        poses = poses_of(reference, sample.q, kernel.dtype)
+        poses = poses_of(self.reference, Following.of(robot).joints(sample.q), kernel.dtype)
         of_poses = any("q_near" in dict(signature.inputs) for signature in kernel.signatures.values())
         near = references(robot, sample.q).astype(kernel.dtype) if of_poses else sample.q
         drawn = (sample.q, sample.qd, sample.qdd, rounded, *more, poses, near.astype(np.float64))
@@ -182,7 +183,7 @@ class _Run:
                 )
             self.inputs["sc"] = np.asarray(trig(sample.q), kernel.dtype).astype(np.float64)
         self.results: dict[str, Floats] = {}
-        self.stepping = Stepping(robot, values)
+        self.stepping = Stepping(robot.free, values)
         random = np.random.default_rng([seed, 2])
         memory = random.uniform(-1, 1, (len(self.regular), self.stepping.states)) * _DEFLECTION
         self.memory: Floats = memory.astype(kernel.dtype).astype(np.float64)
@@ -205,7 +206,7 @@ class _Run:
         part."""
         record, n = function_named(function), self.inputs["q"].shape[1]
         elements = range(sum(length for _, length in self.kernel.signatures[function].outputs))
-        parts = parts_of(record.fuses, elements, n) if record.fuses else [(record, elements)]
+        parts = parts_of(record.fuses, elements, n, self.robot.n) if record.fuses else [(record, elements)]
         compared = [self._compare(function, part, list(own), oracle, count) for part, own in parts]
         return max(compared, key=lambda comparison: (not comparison.passed, comparison.error))
 
@@ -265,7 +266,7 @@ class _Run:
         if record.name not in self._largest:
             n = self.inputs["q"].shape[1]
             sizes = np.abs(self._reference.expected(record, self.inputs)).max(axis=0)
-            parts = [[max(part)] * len(part) for _, part in record.split(sizes.tolist(), n)]
+            parts = [[max(part)] * len(part) for _, part in record.split(sizes.tolist(), n, self.robot.n)]
             if record.geometric:
                 parts = [beside_terms(part, self.robot, self.inputs["qd"]) for part in parts]
             self._largest[record.name] = np.concatenate(parts)
@@ -324,14 +325,16 @@ class _Run:
     def _place(self, function: Function, element: int) -> tuple[int | None, int | None]:
         """Joint and column, from 1, of an element of the results, or of torques that tell of them; None where
         it is of no joint, of no matrix."""
-        n = self.inputs["q"].shape[1]
+        n, joints = self.inputs["q"].shape[1], [joint + 1 for joint in self.robot.commanded]
         if function.expected is None:
-            return element % n + 1, None
+            return joints[element % n], None
         for array in function.results:
-            shape, size = array.shape_at(n), array.size_at(n)
+            links = self.robot.n
+            shape, size = array.shape_at(n, links=links), array.size_at(n, links=links)
             if element < size:
                 place = np.unravel_index(element, shape) if shape else ()
-                joint = int(place[0]) + 1 if array.shape[:1] == ("n",) else None
+                of = {"n": joints, "l": range(1, links + 1)}.get(str(*array.shape[:1]))
+                joint = of[int(place[0])] if of else None
                 return joint, int(place[-1]) + 1 if len(place) > 1 else None
             element -= size
         raise AssertionError("no such element")

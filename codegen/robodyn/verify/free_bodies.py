@@ -57,7 +57,7 @@ def joint_reactions(
         """Floats, converted to Fractions without rounding if ``exact``."""
         if not exact:
             return np.asarray(x, np.float64)
-        return np.array([Fraction(e) for e in x.flat], object).reshape(x.shape)
+        return np.array([Fraction(e) for e in x.ravel().tolist()], object).reshape(x.shape)
 
     base, tool = array(_frame(robot.base)), array(_frame(robot.tool))
     speeds, rates = as_numbers(qd), as_numbers(qdd)

@@ -30,8 +30,10 @@ from robodyn.dynamics.vectors import Vector
 from robodyn.errors import InputError
 from robodyn.ir.evaluate import turn
 from robodyn.optimize.programs import base_set_of
+from robodyn.robot.coupling import transmission_of
 from robodyn.robot.model import Robot
 from robodyn.robot.values import ZERO, circle_point
+from robodyn.verify.coupled import in_coordinates
 from robodyn.verify.exact import exact_torque, exact_torque_slope
 from robodyn.verify.free_bodies import joint_reactions
 from robodyn.verify.lagrangian import lagrangian
@@ -142,7 +144,8 @@ class _Columns(PlainDynamics):
         self._oracle, self._q = oracle, inputs["q"]
         self.inputs = {name: oracle._columns(array) for name, array in inputs.items()}
         self.rest = [0] * self._q.shape[1]
-        self._scalar: Callable[[Fraction], Any] = Fraction if oracle.exact else real
+        self.number = self._scalar = Fraction if oracle.exact else real
+        self.transmission = transmission_of(oracle.robot) if oracle.robot.couplings else None
 
     @cached_property
     def arm(self) -> Arm:  # type: ignore[override]  # what is alone has none
@@ -155,11 +158,13 @@ class _Columns(PlainDynamics):
         if self._oracle.other is None:
             raise TorquesAlone("it has torques and a mass matrix")
         robot, values = self._oracle.robot, self._oracle.parameters
-        return build_arm(rigid_part(robot), self._scalar, lambda name: self._scalar(Fraction(values[name])))
+        rigid = rigid_part(robot.free)
+        return build_arm(rigid, self._scalar, lambda name: self._scalar(Fraction(values[name])))
 
     def motion(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Motion:
         """The arm at ``q``, with these rates and accelerations."""
-        q, scalar = self.inputs["q"], self._scalar
+        q, scalar = self.joint_positions(), self._scalar
+        qd, qdd = self.spread(qd), self.spread(qdd)
         trigonometry = _exact_trigonometry(q) if self._oracle.exact else trigonometry_at(q)
         return build_motion(self.arm, q, qd, qdd, trigonometry, scalar)
 
@@ -171,7 +176,7 @@ class _Columns(PlainDynamics):
         """The rotors of the drives."""
         robot, values = self._oracle.robot, self._oracle.parameters
         layer = layer_of(robot, self._scalar, lambda name: self._scalar(Fraction(values[name])))
-        return super().rotors() + layer.rotors()
+        return super().rotors() + self.rotors_in_coordinates(layer.rotors())
 
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> list[Any]:
         """Torques, ``n`` columns."""
@@ -232,6 +237,8 @@ class _Columns(PlainDynamics):
 
 def reference_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     """Plain Newton-Euler in double precision."""
+    if robot.couplings:
+        return in_coordinates(reference_oracle, robot, parameters)
     reference = Reference(robot, parameters)
     values = filled(robot, parameters)
     return Oracle(
@@ -249,11 +256,15 @@ def reference_oracle(robot: Robot, parameters: Parameters) -> Oracle:
 
 def library_oracle(robot: Robot, parameters: Parameters, arm: PeerArm) -> Oracle:
     """What another library makes of the file that ``robot`` comes from."""
+    if robot.couplings:
+        return in_coordinates(lambda free, values: library_oracle(free, values, arm), robot, parameters)
     return Oracle(arm.title, arm.torques, robot, filled(robot, parameters), arm.mass_matrix)
 
 
 def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     """Virtual work over rationals; an array of Fractions."""
+    if robot.couplings:
+        return in_coordinates(exact_oracle, robot, parameters)
 
     def torque(q: Floats, qd: Floats, qdd: Floats) -> Numbers:
         torques = np.empty(q.shape, dtype=object)
@@ -280,6 +291,8 @@ def exact_oracle(robot: Robot, parameters: Parameters) -> Oracle:
 
 def lagrangian_oracle(robot: Robot, parameters: Parameters) -> Oracle:
     """Energies and derivatives; however many joints there are."""
+    if robot.couplings:
+        return in_coordinates(lagrangian_oracle, robot, parameters)
     values = filled(robot, parameters)
     return Oracle(
         "lagrangian", lagrangian(robot, parameters, limit=robot.n), robot, values, other=lagrangian_oracle

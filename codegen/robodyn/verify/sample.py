@@ -53,9 +53,9 @@ def draw(robot: Robot, states: int, seed: int, dtype: np.dtype[Any]) -> Sample:
     if states < 1:
         raise InputError("there is nothing to compare", found=f"{states} states", expected="one or more")
     rng = np.random.default_rng(seed)
-    bounds = np.array([bounds_of(link.joint) for link in robot.links])  # [n, 3, 2]
+    bounds = np.array([bounds_of(robot.links[joint].joint) for joint in robot.commanded])  # [n, 3, 2]
     low, high = bounds[:, :, 0], bounds[:, :, 1]
-    drawn = low + (high - low) * rng.random((states, robot.n, 3))
+    drawn = low + (high - low) * rng.random((states, len(robot.commanded), 3))
     if states >= 5 * _REST:
         drawn[-4, :, 2] = 0.0
         drawn[-3, :, 1] = 0.0

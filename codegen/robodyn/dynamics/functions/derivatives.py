@@ -91,7 +91,7 @@ def _polar(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     bodies = tuple(replace(body, viscous=0, coulomb=0) for body in at.arm.bodies)
     arm = replace(at.arm, bodies=bodies, gravity=(0, 0, 0))
     sums = [v + w for v, w in zip(qd, x, strict=True)]
-    torques = (newton_euler(arm, at.motion(rates, at.rest)) for rates in (sums, qd, x))
+    torques = (at.folded(newton_euler(arm, at.motion(rates, at.rest))) for rates in (sums, qd, x))
     return [2 * y for y in products(result, x)], [b - v - w for b, v, w in zip(*torques, strict=True)]
 
 
@@ -119,6 +119,7 @@ FUNCTIONS = (
         (Q, QD, TAU),
         (DQDD_DQ, DQDD_DQD, DQDD_DTAU),
         _of_accelerations,
+        in_coordinates=_of_accelerations,
         condition=_accelerations_change,
         solves=True,
     ),

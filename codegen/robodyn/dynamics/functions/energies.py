@@ -153,7 +153,8 @@ def _slope(at: Dynamics, rates: Vector, x: Vector) -> Any:
     from robodyn.dynamics.dual import moving_along, slopes
     from robodyn.dynamics.reference import energies
 
-    motion = moving_along(at.arm, at.motion(rates, at.rest), x, at.rest, at.rest)
+    still = at.spread(at.rest)
+    motion = moving_along(at.arm, at.motion(rates, at.rest), at.spread(x), still, still)
     (slope,) = slopes(energies(at.arm, motion)[:1])
     return slope
 

@@ -81,7 +81,7 @@ def _compared(functions: Sequence[Function]) -> Callable[[ReferenceDynamics, Seq
     def compared(at: ReferenceDynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
         one: list[Any] = []
         other: list[Any] = []
-        for function, elements in parts_of(functions, result, len(anywhere)):
+        for function, elements in parts_of(functions, result, len(anywhere), at.link_count):
             left, right = function.compared(at, elements, anywhere)
             one += left
             other += right
@@ -91,9 +91,10 @@ def _compared(functions: Sequence[Function]) -> Callable[[ReferenceDynamics, Seq
 
 
 def parts_of(
-    functions: Sequence[Function], elements: Sequence[Any], n: int
+    functions: Sequence[Function], elements: Sequence[Any], n: int, links: int = 0
 ) -> list[tuple[Function, Sequence[Any]]]:
-    """Each function with its part of ``elements``, one after another, for ``n`` joints."""
-    lengths = lengths_of(functions, len(elements), n)
-    sizes = [function.size_at(n, *lengths) for function in functions]
+    """Each function with its part of ``elements``, one after another, for ``n`` joints and so many ``links``,
+    by default as many."""
+    lengths = lengths_of(functions, len(elements), n, links)
+    sizes = [function.size_at(n, *lengths, links) for function in functions]
     return list(zip(functions, cut(elements, sizes), strict=True))

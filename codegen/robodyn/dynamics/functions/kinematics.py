@@ -9,13 +9,13 @@ from typing import Any
 
 from robodyn.dynamics.arm import in_stated_frame, inertial
 from robodyn.dynamics.functions.record import POSE, QD, Array, Derivative, Function, Pair, Q, Writing
-from robodyn.dynamics.mass_matrix import factoring
+from robodyn.dynamics.mass_matrix import Factored, factoring
 from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.vectors import flat, inner, plus, products, scaled
 
-LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("n", 3))
+LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("l", 3))
 LINK_ROTATIONS = Array(
-    "link_rotations", "turn vectors of the links' frames into the world's", "", shape=("n", 3, 3)
+    "link_rotations", "turn vectors of the links' frames into the world's", "", shape=("l", 3, 3)
 )
 
 
@@ -97,7 +97,8 @@ def _poses(at: Dynamics, *rates: Vector) -> list[Any]:
 
     motion = at.motion(at.rest, at.rest)
     for rate in rates:
-        motion = moving_along(at.arm, motion, rate, at.rest, at.rest)
+        still = at.spread(at.rest)
+        motion = moving_along(at.arm, motion, at.spread(rate), still, still)
     return poses(at.arm, motion)
 
 
@@ -149,14 +150,25 @@ def _plain_jacobian(at: Dynamics) -> list[list[Any]]:
     from robodyn.dynamics.kinematics import frames, jacobian
 
     links = frames(at.arm, at.motion(at.rest, at.rest), at.arm.base)
-    return jacobian(at.arm, links, at.arm.tool.origin)
+    return [list(at.folded(row)) for row in jacobian(at.arm, links, at.arm.tool.origin)]
 
 
 def _solved_for(at: Dynamics) -> Sequence[Any]:
     """Joint accelerations for a force or moment at the tool, and the tool's for those."""
+    return _responses(at, _plain_jacobian(at))
+
+
+def _in_coordinates(at: Dynamics) -> Sequence[Any]:
+    """The same of another function's Jacobian."""
+    elements, n = at.of("jacobian"), len(at.rest)
+    J = [elements[n * k : n * (k + 1)] for k in range(6)]
+    X = [Factored(at.mass_matrix(), at.mark).solve(row) for row in J]
+    return [inner(y, x) for y in J for x in X]
+
+
+def _responses(at: Dynamics, J: Sequence[Vector]) -> Sequence[Any]:
     from robodyn.dynamics.operational import by_elimination
 
-    J = _plain_jacobian(at)
     X = by_elimination(at.mass_matrix(), list(zip(*J, strict=True)))
     return [inner(y, column) for y in J for column in zip(*X, strict=True)]
 
@@ -166,6 +178,8 @@ def _answers_a_push(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     which the push gives. Whatever these were worked out by, they are right where they need its torques."""
     from robodyn.dynamics.articulated import articulated_bodies
 
+    if at.link_count:  # joints that follow others do not answer one body after another
+        return result, _solved_for(at)
     J = _plain_jacobian(at)
     push = list(x)
     while len(push) < 6:
@@ -223,6 +237,7 @@ FUNCTIONS = (
         (Q,),
         (LAMBDA_INVERSE,),
         _lambda_inverse,
+        in_coordinates=_in_coordinates,
         expected=_solved_for,
         condition=_answers_a_push,
         parts=("mass_matrix",),

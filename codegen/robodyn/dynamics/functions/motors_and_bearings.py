@@ -11,12 +11,12 @@ start from.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Any
 
 from robodyn.dynamics.functions.record import QD, QDD, WITH_WRENCH, WRENCH, Array, Function, Q
 from robodyn.dynamics.state import Dynamics, NoSuchFunction, Vector
 from robodyn.dynamics.vectors import flat
+from robodyn.effects.scalars import quotient
 
 TAU_MOTOR = Array("tau_motor", "motor torques in front of the gears", "N m")
 CURRENT = Array("current", "motor currents", "A")
@@ -24,19 +24,19 @@ R = Array(
     "R",
     "force and moment of the link before on each link, about the origin and along the axes of its frame",
     "N, N m",
-    shape=("n", 6),
+    shape=("l", 6),
 )
 
 
 def _in_front_of_the_gears(at: Dynamics) -> Sequence[Any]:
     """``tau / ratio``."""
-    return _divided(at, [body.ratio for body in at.arm.bodies], "gear", "gear: {ratio: ...}")
+    return _divided(at, [body.ratio for body in at.driven()], "gear", "gear: {ratio: ...}")
 
 
 def _currents(at: Dynamics) -> Sequence[Any]:
     """``tau / (ratio torque_constant)``."""
     per_ampere = [
-        None if body.torque_constant is None else body.ratio * body.torque_constant for body in at.arm.bodies
+        None if body.torque_constant is None else body.ratio * body.torque_constant for body in at.driven()
     ]
     return _divided(at, per_ampere, "torque constant", "gear: {ratio: ..., torque_constant: ...}")
 
@@ -51,7 +51,7 @@ def _divided(at: Dynamics, divisors: Vector, what: str, key: str) -> Sequence[An
             remedy="state them in the description, or leave the function out",
         )
     torques = at.torques(at.inputs["qd"], at.inputs["qdd"])
-    return [tau * (Fraction(1) / divisor) for tau, divisor in zip(torques, divisors, strict=True)]
+    return [quotient(tau, divisor) for tau, divisor in zip(torques, divisors, strict=True)]
 
 
 def _reactions(at: Dynamics, w: Vector = (0, 0, 0, 0, 0, 0)) -> Sequence[Any]:
@@ -71,6 +71,7 @@ FUNCTIONS = (
         (Q, QD, QDD),
         (TAU_MOTOR,),
         _in_front_of_the_gears,
+        in_coordinates=_in_front_of_the_gears,
         expected=_in_front_of_the_gears,
     ),
     Function(
@@ -79,6 +80,7 @@ FUNCTIONS = (
         (Q, QD, QDD),
         (CURRENT,),
         _currents,
+        in_coordinates=_currents,
         expected=_currents,
     ),
     Function(

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm
     from robodyn.dynamics.state import Iterative
 
-#: Elements of a state along one axis: a number, or as many as there are joints (n), base parameters (p), or
-#: branches of the inverse kinematics (b; t: of an arm that can do less than a pose asks for, and more than
-#: bring its tool to a place; 0 of others).
-Length = int | Literal["n", "p", "b", "t"]
+#: Elements of a state along one axis: a number, or as many as there are joints that are commanded (n), base
+#: parameters (p), branches of the inverse kinematics (b; t: of an arm that can do less than a pose asks for, and
+#: more than bring its tool to a place; 0 of others), or links (l): n of them where no joint follows.
+Length = int | Literal["n", "p", "b", "t", "l"]
 #: Joints of such an arm, from the first number to before the second.
 _BETWEEN = range(4, 6)
 
@@ -38,14 +38,15 @@ class Array(NamedTuple):
     optional: bool = False
     says: Literal["number", "truth", "count"] = "number"
 
-    def shape_at(self, n: int, p: int = 0, b: int = 0) -> tuple[int, ...]:
-        """The shape for ``n`` joints, ``p`` base parameters and ``b`` branches."""
-        lengths = {"n": n, "p": p, "b": b, "t": b if n in _BETWEEN else 0}
+    def shape_at(self, n: int, p: int = 0, b: int = 0, links: int = 0) -> tuple[int, ...]:
+        """The shape for ``n`` joints, ``p`` base parameters, ``b`` branches, and so many ``links``, or else
+        ``n``."""
+        lengths = {"n": n, "p": p, "b": b, "t": b if n in _BETWEEN else 0, "l": links or n}
         return tuple(lengths[length] if isinstance(length, str) else length for length in self.shape)
 
-    def size_at(self, n: int, p: int = 0, b: int = 0) -> int:
+    def size_at(self, n: int, p: int = 0, b: int = 0, links: int = 0) -> int:
         """How many numbers these are."""
-        return prod(self.shape_at(n, p, b))
+        return prod(self.shape_at(n, p, b, links))
 
     def shape_of(self, size: int, n: int = 0) -> tuple[int, ...]:
         """The shape of so many numbers, for ``n`` joints if that is known.
@@ -58,7 +59,7 @@ class Array(NamedTuple):
         if {"p", "b", "t"} & set(self.shape):
             count = size // max(1, self.size_at(n, 1, 1))
         else:
-            free = self.shape.count("n")
+            free = self.shape.count("n") + self.shape.count("l")
             n = round((size / self.size_at(1)) ** (1 / free)) if free else 0
         if self.size_at(n, count, count) != size:
             raise ValueError(f"{self.name} is {list(self.shape)}, and not of {size} numbers")
@@ -157,6 +158,8 @@ class Function:
     solves: whether it solves for accelerations: an arm in which a joint moves without inertia has no such
         function, nor has one with friction that depends on the accelerations.
     fuses: functions that it is the results of, one after another, see :mod:`.functions.fusing`.
+    in_coordinates: how it is written where joints follow others, of functions in the coordinates that are
+        commanded: what is solved there, and what is of motors. None: its results at the joints are mapped.
     others: other ways to write ``outputs``; what is emitted is the one that takes the fewest operations.
     small: the same, for arms of few joints.
     of_rigid_arms: the same, for arms whose drives have no effects.
@@ -187,6 +190,7 @@ class Function:
     zeros: tuple[str, ...] | None = None
     solves: bool = False
     fuses: tuple[Function, ...] = ()
+    in_coordinates: Writing | None = None
     others: tuple[Writing, ...] = ()
     small: tuple[Writing, ...] = ()
     of_rigid_arms: tuple[Writing, ...] = ()
@@ -287,17 +291,18 @@ class Function:
         """All other ways to write them where drives have no effects."""
         return (*self.of_rigid_arms, *(self.of_long_arms if n >= MANY_JOINTS else ()))
 
-    def size_at(self, n: int, p: int = 0, b: int = 0) -> int:
-        """How many numbers the results are for ``n`` joints, ``p`` base parameters and ``b`` branches."""
-        return sum(array.size_at(n, p, b) for array in self.results)
+    def size_at(self, n: int, p: int = 0, b: int = 0, links: int = 0) -> int:
+        """How many numbers the results are, as :meth:`Array.shape_at` says of each."""
+        return sum(array.size_at(n, p, b, links) for array in self.results)
 
-    def split(self, elements: Sequence[Any], n: int) -> list[tuple[str, Sequence[Any]]]:
-        """``elements``, one after another, as ``(name, elements)`` of each result."""
-        lengths = lengths_of([self], len(elements), n)
-        if (size := self.size_at(n, *lengths)) != len(elements):
+    def split(self, elements: Sequence[Any], n: int, links: int = 0) -> list[tuple[str, Sequence[Any]]]:
+        """``elements``, one after another, as ``(name, elements)`` of each result; of so many ``links``, by
+        default ``n``."""
+        lengths = lengths_of([self], len(elements), n, links)
+        if (size := self.size_at(n, *lengths, links)) != len(elements):
             raise ValueError(f"{self.name} returns {len(elements)} numbers; its results have {size}")
-        there = [array for array in self.results if array.size_at(n, *lengths)]
-        pieces = cut(elements, [array.size_at(n, *lengths) for array in there])
+        there = [array for array in self.results if array.size_at(n, *lengths, links)]
+        pieces = cut(elements, [array.size_at(n, *lengths, links) for array in there])
         return [(array.name, piece) for array, piece in zip(there, pieces, strict=True)]
 
     def compared(self, dynamics: ReferenceDynamics, result: Sequence[Any], anywhere: Vector) -> Pair:
@@ -309,11 +314,12 @@ class Function:
         return result, self.expected(dynamics)
 
 
-def lengths_of(functions: Sequence[Function], size: int, n: int) -> tuple[int, int]:
-    """How many base parameters and how many branches an arm of ``n`` joints has if results of ``functions``,
-    which do not depend on both, are ``size`` numbers; 0 where these do not depend on them."""
+def lengths_of(functions: Sequence[Function], size: int, n: int, links: int = 0) -> tuple[int, int]:
+    """How many base parameters and how many branches an arm of ``n`` joints and so many ``links`` has if
+    results of ``functions``, which do not depend on both, are ``size`` numbers; 0 where these do not depend
+    on them."""
     known, with_parameter, with_branch = (
-        sum(function.size_at(n, p, b) for function in functions) for p, b in ((0, 0), (1, 0), (0, 1))
+        sum(function.size_at(n, p, b, links) for function in functions) for p, b in ((0, 0), (1, 0), (0, 1))
     )
     p, b = ((size - known) // (more - known) if more > known else 0 for more in (with_parameter, with_branch))
     return p, b

@@ -36,7 +36,8 @@ def _of_any_masses(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair:
     arm = _with_masses(at.arm, x)
     numbers = _numbers_of(arm)
     parameters = [parameter.value(numbers) for parameter in at.base_set()]
-    return products(result, parameters), newton_euler(arm, at.motion(at.inputs["qd"], at.inputs["qdd"]))
+    motion = at.motion(at.inputs["qd"], at.inputs["qdd"])
+    return products(result, parameters), at.folded(newton_euler(arm, motion))
 
 
 def _with_masses(arm: Arm, x: Vector) -> Arm:
@@ -86,7 +87,7 @@ def _of_an_arm_with_them(at: Dynamics, result: Sequence[Any], x: Vector) -> Pair
         numbers[parameter.own] = value - share
     bodies = tuple(_with_numbers(body, numbers, i) for i, body in enumerate(at.arm.bodies, 1))
     motion = at.motion(at.inputs["qd"], at.inputs["qdd"])
-    return list(result), newton_euler(replace(at.arm, bodies=bodies), motion)
+    return list(result), at.folded(newton_euler(replace(at.arm, bodies=bodies), motion))
 
 
 def _with_numbers(body: Body, numbers: Mapping[Standard, Any], link: int) -> Body:

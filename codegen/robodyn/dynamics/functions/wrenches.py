@@ -44,7 +44,7 @@ def _by_the_textbook(at: Dynamics) -> list[Any]:
     arm = at.arm
     placed = frames(arm, at.motion(at.rest, at.rest), arm.base)
     columns = zip(*jacobian(arm, placed, arm.tool.origin), strict=True)
-    return [inner(column, at.inputs["w"]) for column in columns]
+    return list(at.folded([inner(column, at.inputs["w"]) for column in columns]))
 
 
 def _with_wrench(function: Function) -> Function:
@@ -116,6 +116,7 @@ FUNCTIONS = (
         (Q, QD, TAU, WRENCH),
         (QDD,),
         _forward(_by_jacobian),
+        in_coordinates=_forward(lambda at: at.of("wrench_torques")),
         condition=_needs_the_torques,
         others=(_forward(_outward),),
         of_rigid_arms=(_articulated,),
