@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from robodyn.formats.elements import parse
 from robodyn.formats.mjcf import read_tree
 from robodyn.formats.serial import Serial, serial_chain
 from robodyn.formats.tree import Tree
+from robodyn.robot.model import Coupling
 from robodyn_testing import commit_seeds, require_module, seed_counts
 from robodyn_testing.mujoco_chains import check_chain
 from robodyn_testing.random_mjcf import random_mjcf
@@ -138,8 +140,7 @@ def test_joints_that_follow_and_loops() -> None:
     follows = TWO.replace("</mujoco>", coupled)
     (mimic,) = [joint.mimic for joint in tree(follows).joints if joint.mimic]
     assert (mimic.leader, mimic.multiplier, mimic.offset) == ("i", 2, 0.5)
-    with pytest.raises(InputError, match="'j' of the chain follows the joint 'i'"):
-        chain(follows)
+    assert chain(follows).chain.couplings == (Coupling(2, 1, Fraction(2), Fraction(1, 2)),)
     tied = TWO.replace("</mujoco>", '<equality>\n<weld name="w" body1="b"/></equality></mujoco>')
     with pytest.raises(InputError, match=r"arm\.xml:6:1: the constraint w closes a loop through the chain"):
         chain(tied)

@@ -17,7 +17,7 @@ from fractions import Fraction
 from robodyn.formats.limits import ROUNDING
 from robodyn.robot.account import Origins
 from robodyn.robot.numbers import shortest
-from robodyn.robot.parts import Gear, JointKind, Limits
+from robodyn.robot.parts import Coupling, Gear, JointKind, Limits
 from robodyn.robot.rotations import QUARTER_TURN
 from robodyn.robot.values import ZERO
 
@@ -130,7 +130,7 @@ class Chain:
     """A serial chain, base to tip.
 
     ``gravity`` [m/s^2] is in the world; ``base``: the base frame in the world; ``tool``: the tip's frame in
-    the frame of the last joint.
+    the frame of the last joint. ``couplings``: which joints follow others.
     """
 
     name: str
@@ -140,6 +140,7 @@ class Chain:
     gravity: Vector = (0.0, 0.0, -9.81)
     base: Pose = field(default_factory=Pose)
     tool: Pose = field(default_factory=Pose)
+    couplings: tuple[Coupling, ...] = ()
 
 
 def cosine_and_sine(angle: float) -> tuple[float, float]:

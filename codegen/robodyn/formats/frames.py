@@ -176,6 +176,7 @@ def description_of(chain: Chain, snap: float = 0.0) -> Robot:
         effects=effects_of_springs(joint.spring for joint in chain.joints),
         base=placement(product(ground, turn), base, size, within),
         tool=placement(tool, (x, y, z - table[-1].slide), size, within),
+        couplings=chain.couplings,
     )
 
 

@@ -1,11 +1,12 @@
 """A serial chain out of a tree: fixed joints merged, branches locked and lumped into what carries them.
 
-Joints that do not move stand as locked, as their leaders, at 0 or at the limit next to it.
+Joints that do not move stand as locked, as their leaders, at 0 or at the limit next to it. Joints of the
+chain that follow others of it are its couplings.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 
@@ -17,6 +18,8 @@ from robodyn.formats.tree import MOVING, Tree, TreeJoint, names, no_such
 from robodyn.robot.account import Origin
 from robodyn.robot.keys import LINKS
 from robodyn.robot.names import TEXT_LENGTH, shown
+from robodyn.robot.numbers import shortest
+from robodyn.robot.parts import Coupling
 
 
 class Positions:
@@ -49,10 +52,19 @@ class Positions:
         seen = set()
         while joint.mimic is not None and joint.name not in seen:
             seen.add(joint.name)
-            if joint.mimic.leader in self._locks:
+            if joint.mimic.leader in self._locks or joint.mimic.stands:
                 return False
             joint = self._joints.get(joint.mimic.leader, joint)
         return joint.kind != "fixed"
+
+    def is_of_chains(self, joint: TreeJoint) -> bool:
+        """Whether a chain may go through ``joint``: what it follows is above or below it."""
+        if joint.kind not in MOVING or joint.mimic is None:
+            return joint.kind in MOVING
+        leader = self._joints.get(joint.mimic.leader)
+        return leader is not None and (
+            leader in self._topology.path(joint.parent) or joint in self._topology.path(leader.parent)
+        )
 
     def of(self, joint: TreeJoint) -> float:
         """The position at which ``joint`` is locked."""
@@ -86,12 +98,16 @@ class Positions:
         if joint.mimic is not None:
             self.of(joint)  # says so where what it follows is not there
             leader = joint.mimic.leader
-            both = "both are in the chain, and have" if leader in chain else "the two have"
+            if leader in chain and not any(joint.mimic.curve):
+                return
+            found = f"powers of {shown(leader)} in what it follows: no constant ratio"
+            if leader not in chain:
+                found = f"{shown(leader)} beside the chain, whose inertia moves with this joint"
             raise InputError(
                 f"the joint {shown(joint.name)} of the chain follows the joint {shown(leader)}",
                 where=joint.where,
-                found=f"one motion of two joints: {both} one torque, which depends on the inertia of both",
-                expected="joints that move by themselves, each with a torque of its own",
+                found=found,
+                expected="joints that move by themselves, or follow others of the chain by a constant ratio",
                 remedy=f"fix it with --lock {joint.name}=VALUE, or choose a --tip before it",
             )
 
@@ -149,7 +165,7 @@ def serial_chain(
     Raises
     ------
     InputError: there are several tips or roots, a link or joint is not there, or a joint of the chain is of
-        another kind, follows another joint, or is in a closed loop.
+        another kind, follows one beside it or by a curve, or is in a closed loop.
     """
     topology = Topology(tree)
     positions = Positions(topology, locks or {})
@@ -158,9 +174,7 @@ def serial_chain(
     if tip:
         end = topology.chosen_link(tip, "--tip")
     else:
-        end, others = topology.tip(
-            start, positions.moves, lambda joint: joint.kind in MOVING and joint.mimic is None
-        )
+        end, others = topology.tip(start, positions.moves, positions.is_of_chains)
         if others:
             remarks.append(f"the tool frame is that of {end}; --tip chooses another: {names(others)}")
     moving = [joint for joint in topology.path_between(start, end) if positions.moves(joint)]
@@ -188,6 +202,10 @@ def serial_chain(
     remarks += [f"{remark}: {names(of)}" for remark, of in left_out.items()]
     remarks += frames.massless()
     remarks += positions.remarks(frames.carrier, in_chain)
+    couplings = _couplings(moving)
+    if couplings:
+        pairs = (f"{moving[x.joint - 1].name} ({moving[x.of - 1].name})" for x in couplings)
+        remarks.append(f"follow others, and have no torque of their own: {names(pairs)}")
     pose = Pose()
     for joint in topology.path(start):
         pose = composed(
@@ -195,8 +213,18 @@ def serial_chain(
         )
     title, source = f"{tree.name or 'robot'}, {start} to {end}", f"{PurePath(tree.file).name} ({tree.format})"
     title, source = (printable(text)[:TEXT_LENGTH] for text in (title, source))
-    chain = Chain(name, tuple(joints), title, source, tree.gravity, pose, frames.pose[end])
+    chain = Chain(name, tuple(joints), title, source, tree.gravity, pose, frames.pose[end], couplings)
     return Serial(chain, tuple(dict.fromkeys(remarks)))
+
+
+def _couplings(moving: Sequence[TreeJoint]) -> tuple[Coupling, ...]:
+    """How joints of the chain follow others of it."""
+    numbers = {joint.name: i for i, joint in enumerate(moving, 1)}
+    return tuple(
+        Coupling(i, numbers[mimic.leader], shortest(mimic.multiplier), shortest(mimic.offset))
+        for i, mimic in enumerate((joint.mimic for joint in moving), 1)
+        if mimic is not None
+    )
 
 
 class _Frames:

@@ -47,6 +47,11 @@ class Mimic:
     curve: tuple[float, ...] = ()
     middle: float = 0.0
 
+    @property
+    def stands(self) -> bool:
+        """Whether it stays where it is wherever the leader is."""
+        return not self.multiplier and not any(self.curve)
+
     def position(self, leader: float) -> float:
         """Where it is [rad or m] if the leader is there."""
         curved = sum(c * (leader - self.middle) ** power for power, c in enumerate(self.curve, 2))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from robodyn.formats.tree import Mimic
 from robodyn.formats.writers import Tag, decimal, decimals, tag
 from robodyn.formats.writers.parts import Cylinder, Frame, PartJoint, Parts, cylinders
 
@@ -19,9 +20,11 @@ def root(parts: Parts) -> Tag:
     world = tag("body", *map(_geom, pictures[0]), *inner, name="base", **_placed(parts.base or Frame()))
     compiler = tag("compiler", angle="radian", eulerseq="XYZ", autolimits="true", inertiafromgeom="false")
     geom = tag("geom", contype="0", conaffinity="0", group="1", mass="0", rgba="0.7 0.7 0.7 1")
-    motors = [_motor(joint) for joint in parts.joints]
+    motors = [_motor(joint) for joint in parts.joints if joint.mimic is None]
+    followers = [_equality(joint.name, joint.mimic) for joint in parts.joints if joint.mimic]
     gravity = tag("option", gravity=decimals(parts.gravity))
     elements = [compiler, gravity, tag("default", geom), tag("worldbody", world), tag("actuator", *motors)]
+    elements += [tag("equality", *followers)] * bool(followers)
     return tag("mujoco", *elements, model=parts.name)
 
 
@@ -58,6 +61,12 @@ def _motor(joint: PartJoint) -> Tag:
     """A motor, whose control is the torque in front of its gear."""
     ratio = None if joint.gear is None else decimal(float(joint.gear.ratio))
     return tag("motor", name=f"{joint.name}_motor", joint=joint.name, gear=ratio)
+
+
+def _equality(joint: str, mimic: Mimic) -> Tag:
+    """What holds a joint where it follows another; both are at 0 in the model's own position."""
+    powers = decimals((mimic.offset, mimic.multiplier, 0, 0, 0))
+    return tag("joint", joint1=joint, joint2=mimic.leader, polycoef=powers)
 
 
 def _geom(cylinder: Cylinder) -> Tag:

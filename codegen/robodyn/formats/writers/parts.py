@@ -20,10 +20,12 @@ from robodyn.errors import InputError
 from robodyn.formats.chain import Body, ChainJoint, Vector, lumped
 from robodyn.formats.conversion import spring_of
 from robodyn.formats.limits import PICTURE_HUB, PICTURE_RADIUS
+from robodyn.formats.tree import Mimic
 from robodyn.formats.writers import legal
 from robodyn.robot.account import account_lines
 from robodyn.robot.masses import unknown_masses
 from robodyn.robot.model import AXES, EffectEntry, Inertia, Link, Robot
+from robodyn.robot.names import shown
 from robodyn.robot.parts import Placement
 from robodyn.robot.rotations import about_x, about_z, placement, product
 from robodyn.robot.values import Value
@@ -76,10 +78,12 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class PartJoint(ChainJoint):
-    """A joint, about or along z of its ``frame``; ``mass_is_known``: whether a mass of 0 is one."""
+    """A joint, about or along z of its ``frame``; ``mass_is_known``: whether a mass of 0 is one; ``mimic``:
+    what it follows."""
 
     frame: Frame = field(default_factory=Frame)
     mass_is_known: bool = True
+    mimic: Mimic | None = None
 
     @property
     def word(self) -> str:
@@ -111,7 +115,7 @@ def parts_of(robot: Robot) -> Parts:
 
     Raises
     ------
-    InputError: it has some.
+    InputError: it has some, or a joint follows several others.
     """
     if robot.parameters:
         raise InputError(
@@ -127,6 +131,7 @@ def parts_of(robot: Robot) -> Parts:
     loads = [entry for entry in robot.effects if entry.definition.traits.body]
     bodies = [_body(link.mass, link.com, link.inertia) for link in robot.links]
     bodies[-1] = lumped([bodies[-1], *(_load(entry) for entry in loads)])
+    mimics = _mimics(robot, names)
     joints = [
         PartJoint(
             names[i],
@@ -141,6 +146,7 @@ def parts_of(robot: Robot) -> Parts:
             spring=springs.get(i + 1),
             frame=_frame_of(link),
             mass_is_known=i + 1 not in unknown,
+            mimic=mimics.get(i),
         )
         for i, link in enumerate(robot.links)
     ]
@@ -156,6 +162,27 @@ def parts_of(robot: Robot) -> Parts:
         math.fsum(math.hypot(*frame.xyz) for frame in frames),
         tuple(_left_out(robot, loads)),
     )
+
+
+def _mimics(robot: Robot, names: list[str]) -> dict[int, Mimic]:
+    """What each joint (from 0) that follows others follows in the end, a joint that is commanded."""
+    if not robot.couplings:
+        return {}
+    from robodyn.robot.coupling import transmission_of
+
+    at, mimics = transmission_of(robot), {}
+    for joint in {coupling.joint - 1 for coupling in robot.couplings}:
+        if len(at.rows[joint]) != 1:
+            leaders = ", ".join(names[at.commanded[k]] for k in at.rows[joint])
+            raise InputError(
+                f"the joint {shown(names[joint])} follows {leaders or 'none in the end'}",
+                found=f"{len(at.rows[joint])} joints",
+                expected="one joint: a file in another format has no words for more",
+                remedy="leave that coupling out; what moves the joint is for the program that reads the file",
+            )
+        ((k, ratio),) = at.rows[joint].items()
+        mimics[joint] = Mimic(names[at.commanded[k]], float(ratio), float(at.offsets[joint]))
+    return mimics
 
 
 def _unique(names: Iterable[str], reserved: Iterable[str]) -> list[str]:

@@ -1,7 +1,9 @@
-"""SDF out of a robot, version 1.9 of http://sdformat.org/spec: a world, since gravity is one's."""
+"""SDF out of a robot, as http://sdformat.org/spec has it: a world, since gravity is one's. The version is
+1.9, or that which knows joints that follow others where there are any."""
 
 from __future__ import annotations
 
+from robodyn.formats.tree import Mimic
 from robodyn.formats.writers import Tag, decimal, decimals, leaf, tag
 from robodyn.formats.writers.parts import TENSOR, Cylinder, Frame, PartJoint, Parts, cylinders
 
@@ -22,7 +24,8 @@ def root(parts: Parts) -> Tag:
         elements.append(tag("frame", _pose(parts.tool), name="tool", attached_to=parent))
     model = tag("model", *elements, name=parts.name)
     world = tag("world", leaf("gravity", decimals(parts.gravity)), model, name=f"{parts.name}_world")
-    return tag("sdf", world, version="1.9")
+    follows = any(joint.mimic for joint in parts.joints)
+    return tag("sdf", world, version="1.11" if follows else "1.9")
 
 
 def _joint(joint: PartJoint, parent: str) -> Tag:
@@ -39,9 +42,15 @@ def _joint(joint: PartJoint, parent: str) -> Tag:
         leaf("xyz", "0 0 1"),
         tag("limit", *limit) if limit else None,
         tag("dynamics", *dynamics) if dynamics else None,
+        _mimic(joint.mimic) if joint.mimic else None,
     )
     links = leaf("parent", parent), leaf("child", joint.link)
     return tag("joint", _pose(joint.frame, parent), *links, axis, name=joint.name, type=joint.word)
+
+
+def _mimic(mimic: Mimic) -> Tag:
+    numbers = {"multiplier": mimic.multiplier, "offset": mimic.offset, "reference": 0.0}
+    return tag("mimic", *(leaf(name, decimal(value)) for name, value in numbers.items()), joint=mimic.leader)
 
 
 def _link(joint: PartJoint, picture: tuple[Cylinder, ...]) -> Tag:

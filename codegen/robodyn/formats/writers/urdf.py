@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Final
 
 from robodyn.formats.chain import Body
+from robodyn.formats.tree import Mimic
 from robodyn.formats.writers import Tag, decimal, decimals, leaf, tag
 from robodyn.formats.writers.parts import TENSOR, Cylinder, Frame, PartJoint, Parts, cylinders
 
@@ -72,9 +73,15 @@ def _joint(joint: PartJoint, parent: str) -> Tag:
         tag("axis", xyz="0 0 1"),
         tag("limit", **attributes) if attributes else None,
         tag("dynamics", **dynamics) if any(passive.values()) else None,
+        _mimic(joint.mimic) if joint.mimic else None,
         name=joint.name,
         type=joint.word,
     )
+
+
+def _mimic(mimic: Mimic) -> Tag:
+    multiplier, offset = decimal(mimic.multiplier), decimal(mimic.offset)
+    return tag("mimic", joint=mimic.leader, multiplier=multiplier, offset=offset)
 
 
 def _fixed(name: str, parent: str, child: str, frame: Frame) -> Tag:
