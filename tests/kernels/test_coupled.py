@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import random
 import shutil
-from pathlib import Path
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -11,7 +12,11 @@ import pytest
 import robodyn
 from robodyn.dynamics.equality import same_in_field
 from robodyn.errors import InputError
+from robodyn.firmware.vectors import states_of, vectors
+from robodyn.ir.evaluate import evaluate
+from robodyn.ir.program import Input
 from robodyn.kernels.generate import Generated, Options, generate, maker
+from robodyn.kernels.through_sympy import symbolic
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import read_text
 from robodyn.verify import verify
@@ -102,6 +107,43 @@ def test_the_exact_reference_is_the_mapped_one() -> None:
     assert exact == pytest.approx(beneath @ at.G)
 
 
+@pytest.mark.parametrize("function", ["inverse_dynamics", "mass_matrix", "jacobian", "link_poses"])
+@pytest.mark.parametrize("text", [PALLETIZER, MIXED])
+def test_sympy_has_the_same_formulas(text: str, function: str) -> None:
+    robot, chance = read_text(text), random.Random(function)
+    model = symbolic(robot, function)
+    known = {
+        symbol: Fraction(chance.randint(-99, 99), 64)
+        for symbols in (*model.inputs.values(), model.parameters.values())
+        for symbol in symbols
+    }
+    inputs = {
+        Input(array, k): float(known[symbol])
+        for array, symbols in model.inputs.items()
+        for k, symbol in enumerate(symbols)
+    } | {Input(name, None): float(known[symbol]) for name, symbol in model.parameters.items()}
+    values = {symbol: float(x) for symbol, x in known.items()}
+    for symbol, expression in model.steps:
+        values[symbol] = float(expression.subs(values))
+    written = [float(result.subs(values)) for result in model.results]
+    program = maker(robot, Options(optimize="fast")).program(function)
+    results = [x for row in evaluate(program, inputs).values() for x in row]
+    assert written == pytest.approx(results, abs=1e-9)
+
+
+def test_what_is_solved_for_is_not_written_through_sympy() -> None:
+    with pytest.raises(InputError, match="forward_dynamics through sympy cannot do joints that follow"):
+        symbolic(read_text(PALLETIZER), "forward_dynamics")
+
+
+def test_vectors_of_firmware_are_confirmed_by_exact_torques() -> None:
+    robot = read_text(PALLETIZER)
+    made = generate(robot, Options(functions=("inverse_dynamics",)))
+    ((interface, program),) = made.unit.functions
+    states = states_of(robot, interface, program, {})
+    assert vectors(robot, interface.function, program, states, {}, "double").confirmed
+
+
 def test_files_say_what_the_coordinates_are() -> None:
     text = generate(read_text(PALLETIZER), Options(functions=("inverse_dynamics", "link_poses"))).files(["c"])
     head = " ".join(text["palletizer.h"].replace("*", " ").split())
@@ -111,7 +153,7 @@ def test_files_say_what_the_coordinates_are() -> None:
     assert "link_positions[15]" in head
 
 
-def test_gears_count_at_joints_that_are_commanded(tmp_path: Path) -> None:
+def test_gears_count_at_joints_that_are_commanded() -> None:
     robot = read_text(MIXED)
     made = generate(robot, Options(functions=("motor_torque",)))
     assert made.signatures[0].outputs == (("tau_motor", 2),)

@@ -6,6 +6,7 @@ quantity of the recursion gets a symbol of its own, so that no expression grows 
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -19,8 +20,11 @@ from robodyn.formats.loading import robot_of
 from robodyn.ir import Graph, Label, Program
 from robodyn.ir.graph import Scalar
 from robodyn.ir.lowering import lower
+from robodyn.optimize.coupled import mapped
 from robodyn.optimize.programs import Choice, outputs_of, signature
+from robodyn.robot.coupling import no_couplings, transmission_of
 from robodyn.robot.model import Robot
+from robodyn.robot.values import angle
 
 if TYPE_CHECKING:
     import sympy
@@ -117,6 +121,8 @@ def symbolic(
             remedy="use the engine graph",
         )
     robot = robot_of(robot)
+    if robot.couplings and function_named(function).in_coordinates is not None:
+        no_couplings(robot, f"{function} through sympy")
     interface = signature(robot, function)
     inputs = {
         name: tuple(sympy.Symbol(f"{name}{i + 1}", real=True) for i in range(size))
@@ -146,18 +152,43 @@ def symbolic(
         labels[symbol] = label
         return symbol
 
+    of_joints = _of_joints(robot, inputs, rational) if robot.couplings else inputs
+
     def trigonometry(angle: JointAngle) -> tuple[Any, Any]:
-        total = sympy.Add(*(sign * inputs["q"][joint] for joint, sign in angle.terms))
+        total = sympy.Add(*(sign * of_joints["q"][joint] for joint, sign in angle.terms))
         cosine, sine = rational(angle.offset.cos), rational(angle.offset.sin)
         if angle.offset.quarter is None:
             total, cosine, sine = total + rational(Fraction(angle.offset.radians)), 1, 0
         c, s = mark(sympy.cos(total), angle.label("c")), mark(sympy.sin(total), angle.label("s"))
         return cosine * c - sine * s, cosine * s + sine * c
 
-    arm = build_arm(robot, rational, parameters.__getitem__)
-    results = outputs_of(function, arm, choice, inputs, trigonometry, rational, mark)
+    arm = build_arm(robot.free, rational, parameters.__getitem__)
+    results = outputs_of(function, arm, choice, of_joints, trigonometry, rational, mark)
+    if robot.couplings:
+        pieces = function_named(function).split(results, robot.n)
+        shapes = {array.name: array.shape for array in function_named(function).results}
+        at = transmission_of(robot)
+        results = [x for name, piece in pieces for x in mapped(at, piece, shapes[name], rational)]
     expressions = tuple(map(sympy.sympify, results))
     return Symbolic(robot.name, function, inputs, parameters, tuple(steps), expressions, labels)
+
+
+def _of_joints(
+    robot: Robot, inputs: Mapping[str, Sequence[Any]], rational: Callable[[Fraction], Any]
+) -> dict[str, Sequence[Any]]:
+    """The inputs of all joints, of those of the coordinates that they follow."""
+    import sympy
+
+    at, turned = transmission_of(robot), [link.joint.kind == "revolute" for link in robot.links]
+    of_joints = {
+        name: at.spread(array, rational) if name in ("q", "qd", "qdd") else array
+        for name, array in inputs.items()
+    }
+    starts: list[Any] = []
+    for i, offset in enumerate(at.offsets):
+        quarter = angle(offset).quarter if turned[i] else None
+        starts.append(rational(offset) if quarter is None else sympy.pi * quarter / 2)
+    return of_joints | {"q": [q + start for q, start in zip(of_joints["q"], starts, strict=True)]}
 
 
 def build_through_sympy(robot: Robot, function: str, choice: Choice) -> Program:

@@ -74,7 +74,7 @@ class _Folding:
         outputs = []
         for name, elements in program.outputs:
             values: Sequence[Any] = [self._value(element) for element in elements]
-            outputs.append((name, self._mapped(values, shapes.get(name, ()))))
+            outputs.append((name, mapped(self._transmission, values, shapes.get(name, ()))))
         return lower(self._graph, outputs)
 
     def _value(self, operand: Operand) -> Scalar:
@@ -116,32 +116,37 @@ class _Folding:
                 c, s = e * c - f * s, e * s + f * c
         return c, s
 
-    def _mapped(self, elements: Sequence[Any], shape: Sequence[Any]) -> Sequence[Any]:
-        """``G^T`` along each axis of joints: those of links, base parameters and the world stay."""
-        n = len(self._transmission.rows)
-        free = [k for k, length in enumerate(shape) if length == "p"]
-        lengths = [n if length in ("n", "l") else 1 if length == "p" else length for length in shape]
-        for k in free:
-            lengths[k] = len(elements) // prod(lengths)
-        columns = self._transmission.columns()
-        for axis, length in enumerate(shape):
-            if length != "n":
-                continue
-            outer, inner = prod(lengths[:axis]), prod(lengths[axis + 1 :])
-            elements = [
-                self._sum([(elements[(block * n + joint) * inner + k], g) for joint, g in column])
-                for block in range(outer)
-                for column in columns
-                for k in range(inner)
-            ]
-            lengths[axis] = len(columns)
-        return elements
 
-    def _sum(self, terms: Sequence[tuple[Any, Fraction]]) -> Any:
-        total: Any = 0
-        for value, factor in terms:
-            total = total + exact(factor) * value
-        return total
+def mapped(
+    transmission: Transmission,
+    elements: Sequence[Any],
+    shape: Sequence[Any],
+    number: Callable[[Fraction], Any] = exact,
+) -> Sequence[Any]:
+    """``elements`` of a result of that ``shape``, one after another, by ``G^T`` along each axis of joints:
+    those of links, base parameters and the world stay. Over scalars that ``number`` makes of rationals."""
+    n, m = len(transmission.rows), len(transmission.commanded)
+    lengths = [n if length in ("n", "l") else 1 if length == "p" else length for length in shape]
+    if "p" in shape:
+        lengths[list(shape).index("p")] = len(elements) // prod(lengths)
+    for axis, length in enumerate(shape):
+        if length != "n":
+            continue
+        outer, inner = prod(lengths[:axis]), prod(lengths[axis + 1 :])
+        rows = [elements[k * n * inner : (k + 1) * n * inner] for k in range(outer)]
+        folded = [
+            transmission.folded([row[joint * inner + k] for joint in range(n)], number)
+            for row in rows
+            for k in range(inner)
+        ]
+        elements = [
+            folded[block * inner + k][column]
+            for block in range(outer)
+            for column in range(m)
+            for k in range(inner)
+        ]
+        lengths[axis] = m
+    return elements
 
 
 #: The program of a function in the coordinates.

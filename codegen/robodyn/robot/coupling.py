@@ -168,6 +168,6 @@ def no_couplings(robot: Robot, what: str) -> None:
             f"{what} cannot do joints that follow others yet",
             found=f"couplings of {robot.name}: {', '.join(dict.fromkeys(names))}",
             expected="joints that move by themselves",
-            remedy="gen, flops, verify, package and export can; for the rest leave the couplings out, so "
-            "that every joint moves by itself",
+            remedy="gen, flops, verify, export and packages of plain kernels can; for the rest leave the "
+            "couplings out, so that every joint moves by itself",
         )

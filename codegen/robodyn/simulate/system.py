@@ -38,6 +38,7 @@ from robodyn.kernels.with_effects import as_is, rigid_loads
 from robodyn.optimize.costing import exact
 from robodyn.optimize.programs import turned
 from robodyn.passes import FRESH, run
+from robodyn.robot.coupling import no_couplings
 from robodyn.robot.model import EffectEntry, Robot
 from robodyn.simulate.shape import Element, check_inertia, check_shape, elements_of, without_losses
 
@@ -77,6 +78,7 @@ class _Builder:
     """Builds the programs of ``robot``."""
 
     def __init__(self, robot: Robot, options: Options) -> None:
+        no_couplings(robot, "the simulator")
         self.robot, self.n = robot, robot.n
         self.exact_rest = robot.rest_velocity is None and robot.dead_band is None
         self.rigid_robot = rigid_part(robot, bare=True)

@@ -14,6 +14,7 @@ from robodyn.ir.evaluate import evaluate
 from robodyn.ir.program import Input
 from robodyn.packages.format import Files, Format, Package
 from robodyn.packages.writing import arithmetic_flags, readme, rendered, sources
+from robodyn.robot.coupling import no_couplings
 from robodyn.robot.model import Robot
 from robodyn.robot.values import Affine
 
@@ -38,6 +39,8 @@ def axes_of(robot: Robot) -> tuple[Axis, ...]:
     """The axes of ``robot`` base to tip, at positions of no symmetry; none where run-time parameters decide
     where they lie."""
     from robodyn.simulate.kinematics import Kinematics
+
+    no_couplings(robot, "a package for ROS 2")
 
     if any(isinstance(x, Affine) for link in robot.links for x in (link.joint.a, link.joint.b, link.joint.d)):
         return ()
