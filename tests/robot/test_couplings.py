@@ -6,10 +6,15 @@ import re
 from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
+from robodyn.diagnose.run import diagnose
 from robodyn.dynamics.arm import build_arm
 from robodyn.errors import InputError
+from robodyn.gate.gate import inspect
+from robodyn.identify.run import identify
+from robodyn.logs.log import Log
 from robodyn.robot.coupling import Circle, coupling_lines, transmission_of
 from robodyn.robot.model import Coupling
 from robodyn.robot.reader import read_text
@@ -84,6 +89,14 @@ def test_circles_and_what_is_no_coupling_are_refused_with_their_place() -> None:
 
 def test_who_does_not_know_of_couplings_refuses_them() -> None:
     robot = read_text(PALLETIZER)
-    for of_joints in (lambda: build_arm(robot, float, float), lambda: Reference(robot)):
+    t, zero = np.linspace(0, 1, 50), np.zeros((50, 4))
+    log = Log(t, zero, zero, zero, zero)
+    for of_joints in (
+        lambda: build_arm(robot, float, float),
+        lambda: Reference(robot),
+        lambda: diagnose(robot, [log]),
+        lambda: identify(robot, [log]),
+        lambda: inspect(log, robot),
+    ):
         with pytest.raises(InputError, match=re.escape("cannot do joints that follow others yet")):
             of_joints()

@@ -46,6 +46,7 @@ from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.limits import FASTEST_RATE
 from robodyn.logs.log import Log, LogSource, log_of
 from robodyn.logs.signals import thinning
+from robodyn.robot.coupling import no_couplings
 from robodyn.robot.model import Robot
 from robodyn.robot.rewriting import rewritten
 
@@ -85,6 +86,7 @@ def diagnose(
     if text is None and not isinstance(robot, Robot):
         text = text_of(robot)
     robot = with_covariance_read(robot_of(robot).at(parameters or {}))
+    no_couplings(robot, "a diagnosis")
     tell("looking at the logs")
     scope = scope_of(robot.n, only, without, joints, most)
     share, rows = (count // max(1, len(logs)) for count in (FITTED_SAMPLES, FITTED_ROWS))

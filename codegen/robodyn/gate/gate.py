@@ -26,6 +26,7 @@ from robodyn.gate.samples import floor_of, fresh, unwrapped
 from robodyn.gate.smooth import noise_of, smoothed
 from robodyn.gate.stuck import check_stuck
 from robodyn.logs.log import Log
+from robodyn.robot.coupling import no_couplings
 from robodyn.robot.masses import require_masses
 from robodyn.robot.model import Robot
 
@@ -91,6 +92,7 @@ def inspect(
     InputError: the log cannot be used, with rows, columns and times; or masses that nobody states.
     """
     require_masses(robot)
+    no_couplings(robot, "a log beside a model")
     try:
         return _inspect(log, robot.at(parameters or {}), most, windows, thinned, is_one_of_many)
     except InputError as error:

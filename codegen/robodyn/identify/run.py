@@ -28,6 +28,7 @@ from robodyn.identify.outcome import Combined, Estimate, Identified, identified
 from robodyn.identify.residual import Squares, squares_of
 from robodyn.logs.log import Log, LogSource, log_of
 from robodyn.robot.account import account_to_dict
+from robodyn.robot.coupling import no_couplings
 from robodyn.robot.model import Robot
 
 
@@ -162,6 +163,7 @@ def identify(
         text = text_of(robot)
     robot = robot_of(robot)
     robot = robot.at(parameters or {})
+    no_couplings(robot, "an identification")
     tell("looking at the logs")
     labels = [names[k] if k < len(names) else f"log {k + 1}" for k in range(len(logs) + 1)]
     gates = [inspect(log_of(log, robot.n), robot, source=labels[k]) for k, log in enumerate(logs)]

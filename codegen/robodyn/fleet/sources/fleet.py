@@ -13,6 +13,7 @@ from robodyn.files import label, read_text
 from robodyn.fleet.result import Unused
 from robodyn.formats.loading import load, text_of
 from robodyn.logs.mapping import SIZE, map_of_text
+from robodyn.robot.coupling import no_couplings
 from robodyn.robot.writer import to_yaml
 
 #: The date of a log whose own times say it: it is known once the log has been read.
@@ -84,6 +85,7 @@ def arm_type(
     ToolError: a library for the description's format is missing.
     """
     robot = load(spec, warn=lambda _: None)  # whoever uses it says what is doubtful
+    no_couplings(robot, "a fleet")
     text = text_of(spec)
     if robot.parameters or parameters:
         try:
