@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,8 +19,9 @@ from robodyn.robot.coupling import as_turned
 from robodyn.robot.model import Robot
 from robodyn.verify.numbers import Parameters
 
-if TYPE_CHECKING:
-    from robodyn.verify.oracles import Numbers, Oracle
+Numbers = NDArray[Any]
+#: An :class:`robodyn.verify.oracles.Oracle`.
+Reference = TypeVar("Reference")
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,10 +66,10 @@ class Following:
 
 
 def in_coordinates(
-    make: Callable[[Robot, Parameters], Oracle], robot: Robot, parameters: Parameters
-) -> Oracle:
+    make: Callable[[Robot, Parameters], Reference], robot: Robot, parameters: Parameters
+) -> Reference:
     """The reference that ``make`` makes of a robot whose joints move by themselves, of ``robot``."""
-    beneath = make(robot.free, parameters)
+    beneath: Any = make(robot.free, parameters)
     at = Following.of(robot, exact=beneath.exact)
     matrix, pushed, slope, reactions = (
         getattr(beneath, name) for name in ("matrix", "under_wrench", "slope", "reactions")
@@ -80,7 +81,7 @@ def in_coordinates(
     def slopes(q: Numbers, qd: Numbers, qdd: Numbers, dq: Numbers, dqd: Numbers) -> Numbers:
         return at.folded(slope(*moved(q, qd, qdd), at.spread(dq), at.spread(dqd)))
 
-    return replace(
+    reference: Reference = replace(
         beneath,
         robot=robot,
         torque=lambda q, qd, qdd: at.folded(beneath.torque(*moved(q, qd, qdd))),
@@ -90,3 +91,4 @@ def in_coordinates(
         reactions=reactions and (lambda q, qd, qdd, w: reactions(*moved(q, qd, qdd), w)),
         other=beneath.other and (lambda other, values: in_coordinates(make, other, values)),
     )
+    return reference

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from robodyn.dynamics.state import Iterative
 
 #: Elements of a state along one axis: a number, or as many as there are joints that are commanded (n), base
-#: parameters (p), branches of the inverse kinematics (b; t: of an arm that can do less than a pose asks for, and
-#: more than bring its tool to a place; 0 of others), or links (l): n of them where no joint follows.
+#: parameters (p), branches of the inverse kinematics (b; t: of an arm that can do less than a pose asks for,
+#: and more than bring its tool to a place; 0 of others), or links (l): n of them where no joint follows.
 Length = int | Literal["n", "p", "b", "t", "l"]
 #: Joints of such an arm, from the first number to before the second.
 _BETWEEN = range(4, 6)
