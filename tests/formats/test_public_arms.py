@@ -59,7 +59,7 @@ def test_every_chain_is_what_pinocchio_reads(package: str, file: str) -> None:
     tree, original = read_tree(path, without=PHYSICS), read_original(path)  # Pinocchio reads none of it
     count = 0
     for tip, serial in chains(tree):
-        robot = massless(read_text(to_yaml(description_of(serial.chain)), warn=lambda _: None))
+        robot = massless(read_text(to_yaml(description_of(serial.chain)), warn=lambda _: None)).free
         arm = original.arm(robot, {})
         alike, _ = comparable(robot, arm)
         assert [row for row in compare(alike, arm, states=3) if not row.passed] == []

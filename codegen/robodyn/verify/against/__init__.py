@@ -108,7 +108,9 @@ def compare(
     robot: Robot, arm: PeerArm, *, states: int, seed: int = 0, parameters: Mapping[str, float] | None = None
 ) -> list[Comparison]:
     """Plain Newton-Euler of ``robot`` (:class:`.Reference`) against ``arm``: torques, mass matrix, frames
-    and gears; what it takes for a kernel ``verify`` compares itself."""
+    and gears; what it takes for a kernel ``verify`` compares itself. Joints that follow others move by
+    themselves here."""
+    robot = robot.free
     reference, sample = Reference(robot, parameters), draw(robot, states, seed, _DOUBLE)
     torques = arm.torques(sample.q, sample.qd, sample.qdd)
     ours = reference.inverse_dynamics(sample.q, sample.qd, sample.qdd)
