@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from benchmarks import counts
+from benchmarks.batch.__main__ import tables as batch_tables
 from benchmarks.blind_arms.cases import INSIDE
 from benchmarks.cuda.__main__ import SHOWN as CUDA_SHOWN
 from benchmarks.cuda.__main__ import table as cuda_table
@@ -50,7 +51,11 @@ def test_the_operations_of_all_robots_are_recomputed() -> None:
     assert counts.PICTURE.read_text(encoding="utf-8") == robots_svg(table)
 
 
-TABLES = [*tables(), ("docs/cuda.md", "cuda kernels", "cuda.json", lambda it: cuda_table(it, CUDA_SHOWN))]
+TABLES = [
+    *tables(),
+    ("docs/batch.md", "batch speed", "batch.json", lambda it: batch_tables(it)[0]),
+    ("docs/cuda.md", "cuda kernels", "cuda.json", lambda it: cuda_table(it, CUDA_SHOWN)),
+]
 
 
 @pytest.mark.parametrize(("document", "mark", "results", "made"), TABLES, ids=lambda x: str(x)[:20])

@@ -75,8 +75,13 @@ def batches(robot: Robot, folder: Path) -> list[Candidate]:
             kernels = [file for file in files if file.name.endswith("_batch.c")]
             sources: tuple[str | Path, ...] = ("robodyn.c", *kernels)
             for width, vectors in VECTORS.items():
-                limit = (f"{robot.name.upper()}_BATCH_BYTES", str(width))
-                source = Source(sources, (f"-I{place}",), defines=(*defines, limit, ("BATCH", "1")))
+                upper = robot.name.upper()
+                own_defines = (
+                    *defines,
+                    (f"{upper}_BATCH_BYTES", str(width)),
+                    ("BATCH", f"{upper}_BATCH_BLOCK"),
+                )
+                source = Source(sources, (f"-I{place}",), defines=own_defines)
                 key = f"batch-{trig}-{scalar}-{width}"
                 title = f"robodyn, batch, {scalar}, {_TRIG[trig]}, {vectors}"
                 counted = library(folder / f"{key}-counted.so", source, STRICT) if width == 32 else None

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from emit.kernels import STRICT, STRICT_CPP, complaints, in_single, made, together, write
+from robodyn.emit.batch import STREAMED
 from robodyn_testing import covering, representative, require_tool
 
 #: Inputs that nothing reads, parameters with the names of other things, every operation that is a call.
@@ -75,53 +76,87 @@ def test_what_remembers_is_left_out() -> None:
     assert "inverse_dynamics_batch" not in files["effects_remembering_batch.h"]
 
 
-MAIN = """#include "NAME_batch.h"
+#: Exit code 1: another bit than row by row; 3, 4: written where nothing belongs.
+MAIN = """#define _POSIX_C_SOURCE 200112L
+#include "NAME_batch.h"
 #include <stdlib.h>
 #include <string.h>
-int main(void)
+
+/* Places of the numbers of count states in blocks, up to the last that is read or written. */
+static size_t at(size_t k, size_t j, size_t block) { return (k / block * 6 + j) * block + k % block; }
+static size_t length(size_t count, size_t block) { return count ? at(count - 1, 5, block) + 1 : 0; }
+
+/* Aligned with a line of the cache, or an odd number behind. */
+static NAME_real *array(size_t size, size_t odd, void **kept)
 {
-    size_t count, k;
-    for (count = 0; count < 70; ++count) {
-        const size_t size = 6 * count * sizeof(NAME_real);
-        /* Each in a block of its own size, an odd number behind an aligned one. */
-        NAME_real *a[4], *b[4];
-        for (k = 0; k < 4; ++k) {
-            a[k] = (NAME_real *)malloc(size + sizeof(NAME_real));
-            b[k] = (NAME_real *)malloc(size + sizeof(NAME_real));
-            if (!a[k] || !b[k]) return 2;
-            memset(a[k], 0, size + sizeof(NAME_real));
-            memset(b[k], 0, size + sizeof(NAME_real));
-        }
-        NAME_inverse_dynamics_batch(count, count, a[0] + 1, a[1] + 1, a[2] + 1, a[3] + 1);
-        NAME_inverse_dynamics_batch_rows(count, b[0] + 1, b[1] + 1, b[2] + 1, b[3] + 1);
+    if (posix_memalign(kept, 64, (size + odd) * sizeof(NAME_real) + (size + odd == 0))) exit(2);
+    return (NAME_real *)*kept + odd;
+}
+
+static void compared(size_t count, size_t block, size_t odd)
+{
+    void *kept[8];
+    NAME_real *a[4], *b[4];
+    size_t i, k, j;
+    for (i = 0; i < 4; ++i) {
+        a[i] = array(length(count, block), odd, &kept[i]);
+        b[i] = array(6 * count, 0, &kept[4 + i]);
+        for (k = 0; k < length(count, block); ++k) a[i][k] = 7;
         for (k = 0; k < count; ++k) {
-            size_t j;
             for (j = 0; j < 6; ++j) {
-                if (memcmp(&a[3][1 + j * count + k], &b[3][1 + 6 * k + j], sizeof(NAME_real))) return 1;
+                b[i][6 * k + j] = (NAME_real)((k * 7919 + j * 31 + i) % 601) / 100 - 3;
+                a[i][at(k, j, block)] = b[i][6 * k + j];
             }
         }
-        if (a[3][0] != 0 || b[3][0] != 0) return 3;
-        for (k = 0; k < 4; ++k) {
-            free(a[k]);
-            free(b[k]);
+    }
+    NAME_inverse_dynamics_batch(count, block, a[0], a[1], a[2], a[3]);
+    NAME_inverse_dynamics_batch_rows(count, b[0], b[1], b[2], b[3]);
+    for (k = 0; k < count; ++k) {
+        for (j = 0; j < 6; ++j) {
+            if (memcmp(&a[3][at(k, j, block)], &b[3][6 * k + j], sizeof(NAME_real))) exit(1);
+            a[3][at(k, j, block)] = 7;
+        }
+    }
+    for (k = 0; k < length(count, block); ++k) {
+        if (a[3][k] != 7) exit(3); /* between the last state and the next element */
+    }
+    for (i = 0; i < 8; ++i) free(kept[i]);
+}
+
+int main(void)
+{
+    const size_t blocks[] = {1, 2, 7, NAME_BATCH_BLOCK, NAME_BATCH_BLOCK + 1, 32, 70, 1000};
+    const size_t counts[] = {0, 1, 2, 7, 8, 9, 15, 16, 17, 31, 33, 63, 64, 65, 70, 1029};
+    size_t count, block;
+    for (count = 0; count < sizeof counts / sizeof *counts; ++count) {
+        for (block = 0; block < sizeof blocks / sizeof *blocks; ++block) {
+            compared(counts[count], blocks[block], 0);
+            compared(counts[count], blocks[block], 1);
         }
     }
     return 0;
 }
-"""
+""".replace("NAME_BATCH", "PUMA560_BATCH").replace("NAME", "puma560")
 
 
 @pytest.mark.parametrize(
-    ("scalar", "width"),
-    covering(representative(["double", "float"], "double"), representative([16, 32, 64], 16)),
+    ("scalar", "width", "streamed"),
+    covering(
+        representative(["double", "float"], "double"),
+        representative([16, 32, 64, 0], 64),
+        representative([0, STREAMED], 0),
+    ),
 )
-def test_sanitizers_find_nothing(scalar: str, width: int, tmp_path: Path) -> None:
-    """Any count reads and writes its own states only; nothing is undefined."""
+def test_any_block_any_count_any_place(scalar: str, width: int, streamed: int, tmp_path: Path) -> None:
+    """Each reads and writes its own states only, past the caches or not; nothing is undefined."""
     generated = made("puma560", "builtin")
     generated = in_single(generated) if scalar == "float" else generated
     first = replace(generated.unit, functions=generated.unit.functions[:1])
     files = replace(generated, unit=first).files(("c",), batch=True)
-    write(tmp_path, {**files, "main.c": MAIN.replace("NAME", "puma560")})
+    limit = f"#define STREAMED ((size_t){STREAMED})"
+    assert limit in files["puma560_batch.c"]
+    code = files["puma560_batch.c"].replace(limit, f"#define STREAMED ((size_t){streamed})")
+    write(tmp_path, {**files, "puma560_batch.c": code, "main.c": MAIN})
     flags = ("-std=c99", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
     width_flag = f"-DPUMA560_BATCH_BYTES={width}"
     command = [require_tool("gcc"), *flags, width_flag, "puma560_batch.c", "main.c", "-lm", "-o", "main"]

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 import robodyn
 from emit.kernels import robots
+from robodyn.emit.batch import STREAMED
 from robodyn.errors import InputError
 from robodyn.ir.signature import Signature
 from robodyn.kernels.kernel import Kernel, load
@@ -29,8 +30,8 @@ Array = NDArray[Any]
 
 #: Bytes of the widest vectors; 0 is the C for other compilers. A processor without AVX-512 runs 64 as 32.
 WIDTHS = (0, 16, 32, 64)
-#: No state, fewer than a vector has lanes, a tile and a bit, a chunk and a bit.
-COUNTS = (0, 1, 3, 8, 31, 33, 70, 1027)
+#: No state, fewer than a vector has lanes, a block and one more or less, a tile and a bit, a chunk and a bit.
+COUNTS = (0, 1, 3, 7, 8, 9, 16, 17, 31, 33, 70, 1027)
 ROBOTS = ("puma560", "stanford_3dof", "tool", "lift", "effects_rubbing", "effects_sliding")
 #: Where all functions are tried: the batch of each is compiled for itself.
 EVERY = (("tool", "double"), ("stanford_3dof", "float"))
@@ -118,6 +119,25 @@ def test_no_number_and_huge_angles(scalar: str, width: int) -> None:
     assert np.isfinite(wanted).any()
     assert_same_bits(made.batch(*given), wanted)
     assert_same_bits(made.batch(*map(np.asfortranarray, given)), wanted)
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_results_that_go_past_the_caches(threads: int) -> None:
+    """Of so many states that they are written so, row by row and column by column, wherever arrays begin."""
+    made = kernel("puma560")
+    count = threads * (STREAMED // (36 * 8) + 77)
+    (q,) = inputs(made, "mass_matrix", states("puma560", count))
+    wanted = made.mass_matrix(q)
+    for odd in (0, 1):
+        memory = np.full(count * 36 + 8 + odd, 7.0)
+        begin = (-memory.ctypes.data // 8) % 8 + odd
+        rows = memory[begin:][: count * 36].reshape(count, 6, 6)
+        columns = memory[begin:][: count * 36].reshape(6, 6, count).transpose(2, 0, 1)
+        for given, out in ((q, rows), (np.asfortranarray(q), columns)):
+            out[:] = np.nan
+            made.batch(given, function="mass_matrix", out=out, threads=threads)
+            assert_same_bits(out, wanted)
+            assert (np.delete(memory, np.s_[begin : begin + count * 36]) == 7.0).all()
 
 
 def test_given_sines() -> None:
@@ -248,13 +268,12 @@ _WAIT_H = "typedef double wait_real;\nvoid wait_gravity(const wait_real q[1], wa
 _WAIT_C = '#include "wait.h"\nvoid wait_gravity(const wait_real q[1], wait_real tau[1]) { tau[0] = q[0]; }\n'
 _WAIT_BATCH_H = """#include <stddef.h>
 #include "wait.h"
-void wait_gravity_batch(size_t count, size_t stride, const wait_real *q, wait_real *tau);
-void wait_gravity_batch_rows(size_t count, const wait_real *q, wait_real *tau);
+void wait_gravity_batch(size_t count, size_t block, const wait_real *q, wait_real *tau);
 """
 _WAIT_BATCH_C = """#include "wait_batch.h"
 #include <time.h>
 /* Says in tau[0] that it has begun, and waits for a number at tau[q[0]]. */
-void wait_gravity_batch_rows(size_t count, const wait_real *q, wait_real *tau)
+void wait_gravity_batch(size_t count, size_t block, const wait_real *q, wait_real *tau)
 {
     const volatile wait_real *other = tau + (ptrdiff_t)q[0];
     volatile wait_real *mine = tau;
@@ -262,11 +281,7 @@ void wait_gravity_batch_rows(size_t count, const wait_real *q, wait_real *tau)
     *mine = 1.0;
     while (*other == 0.0 && clock() - start < 20 * CLOCKS_PER_SEC) { }
     tau[count - 1] = *other;
-}
-void wait_gravity_batch(size_t count, size_t stride, const wait_real *q, wait_real *tau)
-{
-    (void)stride;
-    wait_gravity_batch_rows(count, q, tau);
+    (void)block;
 }
 """
 

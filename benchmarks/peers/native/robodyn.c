@@ -1,12 +1,14 @@
-/* Our kernel, one state a call, or with BATCH all in one, every joint's values one after another. HEADER, REAL,
- * KERNEL: of the kernel; GIVEN: sines and cosines are in given.bin. Of another function than the inverse dynamics:
+/* Our kernel, one state a call, or all in one, in blocks of BATCH states. HEADER, REAL, KERNEL:
+ * of the kernel; GIVEN: sines and cosines are in given.bin. Of another function than the inverse dynamics:
  * SIZE, numbers of its results; ARGUMENTS(k) and RESULTS(k) of the state k. */
 #include HEADER
 #include "peer.h"
 
 #ifdef BATCH
-#define AT(k, j, size) ((j) * count + (k))
+#define AT(k, j, size) (((k) / BATCH * (size) + (j)) * BATCH + (k) % BATCH)
+#define ROOM (count + BATCH)
 #else
+#define ROOM count
 #define AT(k, j, size) ((k) * (size) + (j))
 #endif
 
@@ -27,7 +29,7 @@ int peer_size(int joints)
 
 static REAL *kept(const double *from, int size)
 {
-    REAL *to = malloc((size_t)count * (size_t)size * sizeof(REAL));
+    REAL *to = malloc((size_t)ROOM * (size_t)size * sizeof(REAL));
     int k, j;
     for (k = 0; k < count; k++)
         for (j = 0; j < size; j++)
@@ -63,14 +65,14 @@ int peer_open(const char *folder, int states, int joints, const double *q, const
 #endif
     qd = kept(v, n);
     qdd = kept(a, n);
-    results = calloc((size_t)count * (size_t)(SIZE), sizeof(REAL));
+    results = calloc((size_t)ROOM * (size_t)(SIZE), sizeof(REAL));
     return !results;
 }
 
 void peer_run(void)
 {
 #ifdef BATCH
-    KERNEL((size_t)count, (size_t)count, angle, qd, qdd, results);
+    KERNEL((size_t)count, BATCH, angle, qd, qdd, results);
 #else
     int k;
     for (k = 0; k < count; k++)

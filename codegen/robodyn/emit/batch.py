@@ -9,7 +9,7 @@ one; other compilers get lanes of one state. Each lane is rounded as the operati
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 from robodyn.dynamics.functions import array_named, function_named
 from robodyn.emit.c_syntax import c_spelling, c_syntax, prototype, refused
@@ -24,9 +24,16 @@ from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import Signature
 from robodyn.passes.registers import registers
 
-#: States that one call of a kernel on rows turns into columns: enough for the widest vectors, few enough for
-#: the stack of a thread.
-TILE = 32
+#: Bytes of the vectors, and of a line of the cache: a block of states is as wide as the last.
+WIDTHS: Final = (16, 32, 64)
+LINE: Final = 64
+
+#: Blocks that are copied at once where the array's own are larger: few enough for the stack of a thread.
+TILE: Final = 4
+
+#: Bytes of results from which on they are written past the caches: half of the 2 MiB that the second level of
+#: recent processors holds for each of their cores. Smaller ones are at hand for what comes next.
+STREAMED: Final = 1 << 20
 
 #: States that OpenMP hands to a thread at least.
 CHUNK = 1024
@@ -73,6 +80,8 @@ def batch_files(unit: Unit) -> dict[str, str]:
         "name": name,
         "upper": name.upper(),
         "bytes": 4 if unit.single else 8,
+        "block": LINE // (4 if unit.single else 8),
+        "widths": [width // (4 if unit.single else 8) for width in WIDTHS],
         "suffix": "f" if unit.single else "",
         "functions": [_function(signature, program) for signature, program in able],
         "helpers": [helper for helper in _HELPERS if helper in used],
@@ -81,6 +90,7 @@ def batch_files(unit: Unit) -> dict[str, str]:
         "lanes_arctangent": lanes["arctangent"],
         "refused": refused(numbers),
         "tile": TILE,
+        "streamed": STREAMED,
         "chunk": CHUNK,
     }
     calls = _notes(unit)
@@ -98,9 +108,11 @@ def _notes(unit: Unit) -> list[str]:
         "Many states in one call, as lanes of the processor's vectors.",
         "Arrays, in SI units:",
         *(f"  {array:4} {array_named(array).text}" for array in unit.arrays),
-        f"..._batch: element j of state k is [j*stride + k], stride >= count: every joint's values stand one "
-        f"after another. ..._batch_rows: it is [k*n + j], n the elements of a state ({unit.robot.name}_real "
-        "each).",
+        "States stand in blocks of `block`: of n elements a state, element j of state k is "
+        "[(k/block*n + j)*block + k%block]. 1: states one after another; count or more: the values of each "
+        f"element one after another. Blocks of {unit.robot.name.upper()}_BATCH_BLOCK are read and written in "
+        f"place, fastest where they begin with a line of the cache ({LINE} bytes); others are copied, a few "
+        "states at a time. What is behind the last state is not touched. ..._batch_rows: block is 1.",
         "count may be any number, 0 too. No alignment is asked for. What is written must not overlap what is "
         "read. States do not touch each other: any number of threads may work on parts of a batch, and with "
         f"-fopenmp a batch of more than {CHUNK} states is shared among threads.",
@@ -124,16 +136,19 @@ def _function(s: Signature, program: Program) -> dict[str, Any]:
     def head(name: str, first: str, restrict: str) -> str:
         return prototype(f"{name}(", [first, *arguments(restrict)]) + ")"
 
-    lanes, columns = f"static void LANES_NAME({s.called}", "size_t count, size_t stride"
+    lanes = f"static void LANES_NAME({s.called}"
+    tiles = "size_t first, size_t last, size_t block, int stream"
     unread = s.parameters and all(x.index is not None for x in body.inputs)
     return {
         "name": s.called,
         "purpose": function_named(s.function).purpose,
-        "columns": head(f"void {s.symbol}_batch", columns, ""),
+        "symbol": s.symbol,
+        "batch": head(f"void {s.symbol}_batch", "size_t count, size_t block", ""),
         "rows": head(f"void {s.symbol}_batch_rows", "size_t count", ""),
-        "kernel": head(f"{lanes})", columns, "RESTRICT "),
-        "kernel_rows": head(f"{lanes}_rows)", "size_t count", "RESTRICT "),
-        "kernel_columns": head(f"{lanes}_columns)", columns, "RESTRICT "),
+        "kernel": head(f"{lanes})", "size_t count, size_t step, int stream", "RESTRICT "),
+        "tiles": head(f"{lanes}_tiles)", tiles, ""),
+        "longest": max(size for _, size in (*s.inputs, *s.outputs)),
+        "written": sum(size for _, size in s.outputs),
         "inputs": [{"name": array, "size": size, "read": read[array]} for array, size in s.inputs],
         "outputs": [{"name": array, "size": size} for array, size in s.outputs],
         "arrays": [array for array, _ in (*s.inputs, *s.outputs)],

@@ -1,9 +1,8 @@
 """One function on many states in one call, with the processor's vectors and, where asked for, in threads.
 
-``F_robodyn_columns(count, stride, inputs..., outputs..., parameters)``
-    runs F on ``count`` states, element j of state k at ``[j*stride + k]``;
-``F_robodyn_rows(count, inputs..., outputs..., parameters)``
-    runs F on states that stand one after another.
+``F_robodyn_many(count, block, inputs..., outputs..., parameters)``
+    runs F on ``count`` states in blocks of ``block``: of one, where they stand one after another, or of all,
+    where the values of each element do.
 """
 
 from __future__ import annotations
@@ -46,8 +45,7 @@ class Batch:
     def __init__(self, function: Function, library: Library) -> None:
         self.function = function
         name, pointer = function.name, f"{function.signature.scalar}[]"
-        self._columns = getattr(library.lib, f"{name}_robodyn_columns")
-        self._rows = getattr(library.lib, f"{name}_robodyn_rows")
+        self._many = getattr(library.lib, f"{name}_robodyn_many")
         self._view, self._null = partial(library.ffi.from_buffer, pointer), library.ffi.NULL
 
     def __call__(
@@ -109,10 +107,7 @@ class Batch:
         def run(first: int) -> None:
             part = [pointer + step * first for pointer, step in zip(pointers, steps, strict=True)]
             states = min(size, count - first)
-            if columns:
-                self._columns(states, count, *part, values)
-            else:
-                self._rows(states, *part, values)
+            self._many(states, count if columns else 1, *part, values)
 
         waiting = [_pool().submit(run, first) for first in range(size, count, size)]
         run(0)
@@ -131,13 +126,8 @@ def batch_calls(signature: Signature, parameters: Sequence[str]) -> Calls:
     passed += ", &p" if s.parameters else ""
     fill = [f"    {s.robot}_params p = {{0}};"] if s.parameters else []
     fill += [f"    p.{name} = parameters[{k}];" for k, name in enumerate(parameters) if name in s.parameters]
-    columns = f"void {s.function}_robodyn_columns(size_t count, size_t stride{arrays})"
-    rows = f"void {s.function}_robodyn_rows(size_t count{arrays})"
+    head = f"void {s.function}_robodyn_many(size_t count, size_t block{arrays})"
     lines = [f"/* Calls from Python into the batches of {s.robot}. */", f'#include "{s.robot}_batch.h"']
-    lines += [f"{columns};", f"{rows};"]
-    for head, call in (
-        (columns, f"{s.symbol}_batch(count, stride{passed});"),
-        (rows, f"{s.symbol}_batch_rows(count{passed});"),
-    ):
-        lines += [head, "{", *fill, "    (void)parameters;", f"    {call}", "}"]
-    return Calls(f"{columns};\n{rows};\n", "\n".join(lines) + "\n")
+    lines += [f"{head};", head, "{", *fill, "    (void)parameters;"]
+    lines += [f"    {s.symbol}_batch(count, block{passed});", "}"]
+    return Calls(f"{head};\n", "\n".join(lines) + "\n")

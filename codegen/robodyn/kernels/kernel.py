@@ -173,7 +173,7 @@ class Kernel:
         Parameters
         ----------
         arrays, named: the inputs of the function, ``[N, n]`` each. Where all are of the kernel's type and row
-            by row (C order), or all column by column (Fortran order: ``[n, N]`` transposed; the fastest),
+            by row (C order), or all column by column (Fortran order: ``[n, N]`` transposed),
             they are read in place; else they are copied.
         out: array to write to, ``[N, ...]``, of the kernel's type, in C order or with N running fastest; a
             tuple of them, all in one order, if there is more than one result. Without it there are new ones
