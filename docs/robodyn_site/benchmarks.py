@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
+from benchmarks.batch.__main__ import markdown as batch
 from benchmarks.cuda.__main__ import markdown as cuda
 from benchmarks.fleet import table as fleet
 from benchmarks.functions import tables as functions
@@ -17,6 +18,7 @@ from benchmarks.public_files import table as public_files
 from robodyn_site.outside import RESULTS, ROOT
 
 _WRITERS: Final[Mapping[str, Callable[[Any], str]]] = {
+    "benchmarks/batch.md": batch,
     "benchmarks/cuda.md": cuda,
     "benchmarks/fleet.md": fleet.page,
     "benchmarks/peers.md": peers.markdown,

@@ -25,7 +25,7 @@ PICTURES: Final = {
 #: Made from results: page of the site -> document of the repository that the same code has written.
 RESULTS: Final = {
     f"benchmarks/{name}.md": f"benchmarks/results/{name}.md"
-    for name in ("cuda", "fleet", "functions", "gap", "limits", "peers", "public_files")
+    for name in ("batch", "cuda", "fleet", "functions", "gap", "limits", "peers", "public_files")
 }
 _SITE_OF: Final = {source: page for page, source in (DOCUMENTS | PICTURES | RESULTS).items()}
 _LINK: Final = re.compile(r"(\]\()([^)#:\s]+)(#[^)\s]*)?(\))")
