@@ -41,19 +41,41 @@ class _State:
 
 
 class Held:
-    """A context in which no :class:`Ended` is raised: one that comes in between waits for its end."""
+    """A context in which no :class:`Ended` is raised, and no :class:`KeyboardInterrupt` where Python's own
+    handler raises it: a signal that comes in between waits for the end of the context."""
 
     def __init__(self) -> None:
         import threading
 
         # Signals are the main thread's; what others do neither needs this nor may count along.
         self.counts = int(threading.current_thread() is threading.main_thread())
+        self.replaced = self.interrupted = False
 
-    def __enter__(self) -> None:
+    def __enter__(self) -> Held:
+        import signal
+
         _State.held += self.counts
+        if self.counts and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+            self.replaced = True
+            signal.signal(signal.SIGINT, self._wait)
+        return self
 
     def __exit__(self, *_: object) -> None:
+        import signal
+
         _State.held -= self.counts
+        if self.replaced:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+        if self.interrupted:
+            raise KeyboardInterrupt
+
+    @property
+    def asked(self) -> bool:
+        """Whether a signal waits for the end of the context."""
+        return self.interrupted or bool(_State.received and _State.quiet is None)
+
+    def _wait(self, *_: object) -> None:
+        self.interrupted = True
 
 
 def begin() -> None:

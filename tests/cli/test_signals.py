@@ -147,6 +147,18 @@ def test_a_signal_in_a_program(program: str, code: int, out: str, err: str) -> N
     assert (done.returncode, done.stdout, done.stderr) == (code, out, err)
 
 
+def test_an_interrupt_of_a_program_of_somebody_else_waits_too() -> None:
+    done = python(
+        "-c",
+        "import os, signal\nfrom robodyn.process import Held\n"
+        "try:\n    with Held() as held:\n        os.kill(os.getpid(), signal.SIGINT)\n"
+        "        print('whole', held.asked)\n    print('never')\n"
+        "except KeyboardInterrupt:\n"
+        "    print(signal.getsignal(signal.SIGINT) is signal.default_int_handler)\n",
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "whole True\nTrue\n", "")
+
+
 def test_a_signal_that_waits_when_the_command_fails() -> None:
     """Its timer would run out when the interpreter has taken back its handlers: a death by SIGALRM."""
     late = "import atexit, time; atexit.register(time.sleep, 0.1)"

@@ -88,7 +88,7 @@ def test_one_that_is_told_to_end_ends_with_its_processes(tmp_path: Path, notes: 
         "        with open_cluster('local:2') as cluster:\n"
         f"            tasks = ((k, ({str(notes)!r}, k, 0.05)) for k in range(9999))\n"
         "            for key, _ in cluster.each(note, tasks):\n"
-        "                print(key, flush=True)\n"
+        "                print(f'{key}\\n', end='', flush=True)  # in one piece\n"
         "    except KeyboardInterrupt:\n"
         "        print('end', flush=True)\n",
         encoding="utf-8",

@@ -15,6 +15,7 @@ from robodyn.cluster.cluster import Done, Failed
 from robodyn.cluster.limits import AHEAD, ATTEMPTS, CONNECT, COUNT, DEATHS, POLL, RECONNECT
 from robodyn.cluster.work import WrongWorker, work
 from robodyn.errors import ToolError
+from robodyn.process import Held
 from robodyn.toolchain.sources import own_key
 
 _log = logging.getLogger("robodyn.cluster")
@@ -40,13 +41,13 @@ class _Piece:
 class _Pieces:
     """The pieces of one call: those that ``wait``, those for when nothing else is under way (``suspects``:
     one of them may have ended the processes that were lost), those ``under_way`` by the key of their future,
-    and the futures that have ``ended``."""
+    and the keys of those that have ``ended``."""
 
     wait: Iterator[_Piece]
     again: deque[_Piece] = field(default_factory=deque)
     suspects: deque[_Piece] = field(default_factory=deque)
     under_way: dict[str, tuple[Any, _Piece]] = field(default_factory=dict)
-    ended: SimpleQueue[Any] = field(default_factory=SimpleQueue)
+    ended: SimpleQueue[str] = field(default_factory=SimpleQueue)
 
     def next(self) -> _Piece | None:
         """The piece to submit next, if it is time for one."""
@@ -86,61 +87,90 @@ class Scheduler:
                 while len(pieces.under_way) < AHEAD * max(self.count, 1) and (piece := pieces.next()):
                     if piece.attempts == ATTEMPTS:
                         yield piece.key, Failed(_LOST)
-                    else:
-                        self._submit(function, piece, pieces)
+                    elif not self._submit(function, piece, pieces):
+                        pieces.again.append(piece)
+                        self._reach()
                 if not pieces.under_way:
                     return
-                try:
-                    future = pieces.ended.get(timeout=POLL)
-                except Empty:
-                    self._look(pieces)
-                    continue
-                _, piece = pieces.under_way.pop(future.key, (None, None))
-                if piece is not None:
-                    result = self._result(future, piece, pieces)
-                    if result is not None:
-                        yield piece.key, result
-                if monotonic() - self._counted > COUNT:
-                    self._look(pieces)
+                ended = self._next(pieces)
+                if ended is not None:
+                    yield ended
+                if self._client.status != "running":
+                    self._reach()
         finally:
             futures = [future for future, _ in pieces.under_way.values()]
             if futures and self._client.status == "running":
                 self._client.cancel(futures, force=True)
 
-    def _submit(self, function: Callable[..., Any], piece: _Piece, pieces: _Pieces) -> None:
-        """Have the scheduler hand ``piece`` to a worker."""
-        try:
-            future = self._client.submit(work, own_key(), function, piece.arguments, pure=False)
-        except (OSError, RuntimeError):  # the connection is just being lost
-            self._reach()
-            future = self._client.submit(work, own_key(), function, piece.arguments, pure=False)
-        pieces.under_way[future.key] = future, replace(piece, attempts=piece.attempts + 1)
-        future.add_done_callback(pieces.ended.put)
+    # Where Dask's futures begin and end a Ctrl-C waits: an exception there leaves pieces of them, which say
+    # so in a traceback that nobody can catch, or is lost.
 
-    def _result(self, future: Any, piece: _Piece, pieces: _Pieces) -> Done | Failed | None:
+    def _submit(self, function: Callable[..., Any], piece: _Piece, pieces: _Pieces) -> bool:
+        """Have the scheduler hand ``piece`` to a worker; False: the connection is just being lost."""
+        with Held():
+            try:
+                future = self._client.submit(work, own_key(), function, piece.arguments, pure=False)
+            except (OSError, RuntimeError):
+                return False
+            pieces.under_way[future.key] = future, replace(piece, attempts=piece.attempts + 1)
+            future.add_done_callback(lambda future: pieces.ended.put(future.key))
+            del future
+        return True
+
+    def _next(self, pieces: _Pieces) -> tuple[Any, Done | Failed] | None:
+        """The key of a piece that has ended and what it has come to; None: of none within
+        :data:`~robodyn.cluster.limits.POLL`, or it will be tried again.
+
+        Raises
+        ------
+        ToolError: a worker is not like this process, or there has been none for too long.
+        """
+        with Held() as held:
+            try:
+                future, piece = pieces.under_way.pop(pieces.ended.get(timeout=POLL), (None, None))
+            except Empty:
+                self._look(pieces)
+                return None
+            result = None if piece is None else self._result(future, piece, pieces, held)
+            del future
+            if monotonic() - self._counted > COUNT:
+                self._look(pieces)
+            return None if piece is None or result is None else (piece.key, result)
+
+    def _result(self, future: Any, piece: _Piece, pieces: _Pieces, held: Held) -> Done | Failed | None:
         """What a ``piece`` has come to; None: to nothing, and it will be tried again.
 
         Raises
         ------
         ToolError: a worker is not like this process.
         """
+        import asyncio
+        from concurrent.futures import wait
+
         from distributed import CancelledError
         from distributed.scheduler import KilledWorker
 
+        value = self._client.gather(future, asynchronous=True)
+        fetched = asyncio.run_coroutine_threadsafe(value, self._client.loop.asyncio_loop)
+        end = monotonic() + RECONNECT
+        while not fetched.done() and not held.asked and monotonic() < end:
+            wait([fetched], POLL)
         try:
-            done, value = future.result(timeout=RECONNECT)
+            if fetched.done():
+                done, value = fetched.result()
+                return Done(value) if done else Failed(value)
         except KilledWorker as error:
-            if not piece.alone:
-                pieces.suspects.append(piece)
-                return None
-            return Failed(_deadly(error.args[1]))
-        except (CancelledError, TimeoutError, OSError):
-            pieces.again.append(piece)
-            self._reach()
+            if piece.alone:
+                return Failed(_deadly(error.args[1]))
+            pieces.suspects.append(piece)
             return None
+        except (CancelledError, OSError):
+            pass
         except ImportError as error:
             raise not_there(error) from None
-        return Done(value) if done else Failed(value)
+        fetched.cancel()
+        pieces.again.append(piece)
+        return None
 
     def _look(self, pieces: _Pieces) -> None:
         """See whether the scheduler and its workers are there.
@@ -152,14 +182,12 @@ class Scheduler:
         ------
         ToolError: not within :data:`~robodyn.cluster.limits.RECONNECT`.
         """
-        if self._client.status != "running":
-            self._reach()
         lost = [
             key for key, (future, _) in pieces.under_way.items() if future.status in ("lost", "cancelled")
         ]
         pieces.again.extend(pieces.under_way.pop(key)[1] for key in lost)
         now = monotonic()
-        if now - self._counted < COUNT:
+        if now - self._counted < COUNT or self._client.status != "running":
             return
         try:
             self.count = len(self._client.nthreads())
