@@ -3,9 +3,10 @@ the tests of all pages."""
 
 from __future__ import annotations
 
+import gc
 import json
 import os
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
@@ -28,6 +29,16 @@ else:
 
 # What the tests compile stays out of the user's own cache.
 os.environ.setdefault("ROBODYN_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "kernels"))
+
+
+@pytest.fixture
+def uncollected() -> Iterator[None]:
+    """No garbage is collected while a test exhausts the stack: finalizers in Python, of what other tests have
+    left, would fail there, and the test with them."""
+    gc.collect()
+    gc.disable()
+    yield
+    gc.enable()
 
 
 @pytest.hookimpl(wrapper=True)

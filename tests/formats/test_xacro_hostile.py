@@ -70,6 +70,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "ws"
 
 
+@pytest.mark.usefixtures("uncollected")
 @pytest.mark.skipif(sys.platform == "win32", reason="missing: POSIX; links need rights on Windows")
 @pytest.mark.parametrize("name", representative(HOSTILE["files"], *FEW))
 def test_a_hostile_file_is_refused(name: str, folder: Path) -> None:
@@ -155,6 +156,7 @@ LONG = (
 )  # fmt: skip
 
 
+@pytest.mark.usefixtures("uncollected")
 def test_no_expression_escapes_takes_long_or_grows() -> None:
     for case in (*HOSTILE["expressions"], *({"expression": long} for long in LONG)):
         with pytest.raises(Refused) as caught:

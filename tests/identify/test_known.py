@@ -101,6 +101,7 @@ def test_an_arm_that_was_not_identified_has_none() -> None:
         (f'{{"covariance": {{"values": {[0] * 33}, "root": {[[0] * 33] * 34}}}}}', "of another arm"),
     ],
 )
+@pytest.mark.usefixtures("uncollected")
 def test_a_file_that_does_not_say_it_is_refused(tmp_path: Path, text: str | None, words: str) -> None:
     arm = written(tmp_path)
     (tmp_path / "identify.json").unlink()

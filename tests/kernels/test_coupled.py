@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-import shutil
 from fractions import Fraction
 
 import numpy as np
@@ -19,9 +18,10 @@ from robodyn.kernels.generate import Generated, Options, generate, maker
 from robodyn.kernels.through_sympy import symbolic
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import read_text
-from robodyn.verify import verify
+from robodyn.verify import VerifyReport, verify
 from robodyn.verify.coupled import Following
 from robodyn.verify.oracles import exact_oracle
+from robodyn_testing import require_tool
 from robodyn_testing.coupled_files import MIXED, PALLETIZER
 
 ALL = ("all",)
@@ -61,30 +61,29 @@ def test_ratios_of_one_and_quarter_turns_only_add_up(ratio: str, offset: str) ->
         assert coupled[function].sincos <= free[function].sincos
 
 
-def verified(robot: Robot) -> None:
+def verified(robot: Robot) -> VerifyReport:
+    """How all functions compare, each with a reference at least."""
+    require_tool("cc")
     kernel = robodyn.compile(robot, functions=ALL)
     assert all(signature.joints == len(robot.commanded) for signature in kernel.signatures.values())
     report = verify(robot, kernel, states=25, exact_states=2, lagrangian=False)
-    assert report.passed, report.to_text()
     assert not report.uncompared
     assert {row.function for row in report.comparisons} == set(kernel.functions)
+    return report
 
 
-needs_a_compiler = pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler")
-
-
-@needs_a_compiler
 @pytest.mark.thorough
 @pytest.mark.parametrize("text", [PALLETIZER, MIXED])
 def test_every_function_is_what_independent_references_say(text: str) -> None:
-    verified(read_text(text))
+    report = verified(read_text(text))
+    assert report.passed, report.to_text()
 
 
-@needs_a_compiler
 @pytest.mark.thorough
 @pytest.mark.parametrize("drives", DRIVES)
 def test_effects_at_followers_act_there(drives: str) -> None:
-    verified(read_text(MIXED.replace("{name: c, ", f"{{name: c, {DRIVES[drives]}")))
+    report = verified(read_text(MIXED.replace("{name: c, ", f"{{name: c, {DRIVES[drives]}")))
+    assert report.passed, report.to_text()
 
 
 def test_a_wrong_mapping_is_noticed() -> None:

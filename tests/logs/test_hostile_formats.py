@@ -188,6 +188,7 @@ def test_hdf5_that_points_elsewhere_is_not_followed(tmp_path: Path) -> None:
     assert examine(tmp_path / "log.h5").recording.streams[0].columns == ("own",)
 
 
+@pytest.mark.usefixtures("uncollected")
 def test_json_beyond_bounds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "log.json"
     for content in ("[" * 5000, '{"a": [1, 2, 1e999]}', "{}", '["a", "b"]', "[[], []]"):
