@@ -42,6 +42,9 @@ NEGLECTED_SHARE: Fraction = Fraction(1, 10**11)
 EDGE_SHARE: Fraction = Fraction(1, 500)
 SAME_POSITION: int = 128
 
+#: Joints of arms that can do less than a pose asks for, and more than bring their tool to a place.
+TASK_JOINTS: range = range(4, 6)
+
 #: Poses of drawn positions, and as many others, at which that is looked at: an arm's branches exist together
 #: at about half of all poses.
 DRAWN_POSES: int = 6

@@ -189,8 +189,12 @@ class Dynamics(Protocol):
         """The torques ``[n]`` that do as much work as ``torques`` of all joints of ``arm``."""
         ...
 
+
+class CoordinateDynamics(Dynamics, Protocol):
+    """Dynamics in the coordinates that joints follow, put together of those of other functions."""
+
     def of(self, function: str) -> Vector:
-        """The results of another function; only where joints follow others."""
+        """The results of another function at the same state."""
         ...
 
 
@@ -221,10 +225,6 @@ class RigidDrives:
     def folded(self, torques: Vector) -> Vector:
         """The ``torques`` themselves."""
         return torques
-
-    def of(self, function: str) -> Vector:
-        """Nothing is written so where no joint follows another (:class:`NotImplementedError`)."""
-        raise NotImplementedError(function)
 
     @abstractmethod
     def torques(self, qd: Sequence[Any], qdd: Sequence[Any]) -> Sequence[Any]:

@@ -84,9 +84,9 @@ class Blind:
         """``given.yaml``, and beside it the covariance that it names, the two logs with what is to be said of
         them, ``answer.sealed``."""
         files: dict[str, str | bytes] = {"given.yaml": self.text}
-        known = covariance_text(self.model)
-        if known is not None and self.model.covariance is not None:
-            files[self.model.covariance.file] = known
+        covariance = covariance_text(self.model)
+        if covariance is not None and self.model.covariance is not None:
+            files[self.model.covariance.file] = covariance
         files.update(self.train.files("train.csv"))
         files.update(self.validate.files("validate.csv"))
         hashes = {name: _hash(files[name]) for name in ("train.csv", "validate.csv")}

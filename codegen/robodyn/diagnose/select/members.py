@@ -51,9 +51,9 @@ class Member:
     def free(self) -> list[str]:
         """The numbers that logs say."""
         traits = CATALOGUE[self.key[0]].traits
-        kept = traits.chosen if self.is_shaped else (*traits.chosen, *traits.shape)
+        fixed = traits.chosen if self.is_shaped else (*traits.chosen, *traits.shape)
         return [
-            name for name, x in self.parameters.items() if isinstance(x, float) and x and name not in kept
+            name for name, x in self.parameters.items() if isinstance(x, float) and x and name not in fixed
         ]
 
     def of_slope(self, name: str) -> tuple[Any, ...]:

@@ -10,7 +10,7 @@ from typing import Any
 from robodyn.dynamics.arm import in_stated_frame, inertial
 from robodyn.dynamics.functions.record import POSE, QD, Array, Derivative, Function, Pair, Q, Writing
 from robodyn.dynamics.mass_matrix import Factored, factoring
-from robodyn.dynamics.state import Dynamics, Vector
+from robodyn.dynamics.state import CoordinateDynamics, Dynamics, Vector
 from robodyn.dynamics.vectors import flat, inner, plus, products, scaled
 
 LINK_POSITIONS = Array("link_positions", "origins of the links in the world", "m", shape=("l", 3))
@@ -158,7 +158,7 @@ def _solved_for(at: Dynamics) -> Sequence[Any]:
     return _responses(at, _plain_jacobian(at))
 
 
-def _in_coordinates(at: Dynamics) -> Sequence[Any]:
+def _in_coordinates(at: CoordinateDynamics) -> Sequence[Any]:
     """The same of another function's Jacobian."""
     elements, n = at.of("jacobian"), len(at.rest)
     J = [elements[n * k : n * (k + 1)] for k in range(6)]

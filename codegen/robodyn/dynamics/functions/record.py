@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from math import prod
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from robodyn.dynamics.limits import FEW_JOINTS, MANY_JOINTS
-from robodyn.dynamics.state import Dynamics, ReferenceDynamics, Vector
+from robodyn.dynamics.limits import FEW_JOINTS, MANY_JOINTS, TASK_JOINTS
+from robodyn.dynamics.state import CoordinateDynamics, Dynamics, ReferenceDynamics, Vector
 
 if TYPE_CHECKING:
     from robodyn.dynamics.arm import Arm
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 #: parameters (p), branches of the inverse kinematics (b; t: of an arm that can do less than a pose asks for,
 #: and more than bring its tool to a place; 0 of others), or links (l): n of them where no joint follows.
 Length = int | Literal["n", "p", "b", "t", "l"]
-#: Joints of such an arm, from the first number to before the second.
-_BETWEEN = range(4, 6)
 
 
 class Array(NamedTuple):
@@ -41,7 +39,7 @@ class Array(NamedTuple):
     def shape_at(self, n: int, p: int = 0, b: int = 0, links: int = 0) -> tuple[int, ...]:
         """The shape for ``n`` joints, ``p`` base parameters, ``b`` branches, and so many ``links``, or else
         ``n``."""
-        lengths = {"n": n, "p": p, "b": b, "t": b if n in _BETWEEN else 0, "l": links or n}
+        lengths = {"n": n, "p": p, "b": b, "t": b if n in TASK_JOINTS else 0, "l": links or n}
         return tuple(lengths[length] if isinstance(length, str) else length for length in self.shape)
 
     def size_at(self, n: int, p: int = 0, b: int = 0, links: int = 0) -> int:
@@ -190,7 +188,7 @@ class Function:
     zeros: tuple[str, ...] | None = None
     solves: bool = False
     fuses: tuple[Function, ...] = ()
-    in_coordinates: Writing | None = None
+    in_coordinates: Callable[[CoordinateDynamics], Sequence[Any]] | None = None
     others: tuple[Writing, ...] = ()
     small: tuple[Writing, ...] = ()
     of_rigid_arms: tuple[Writing, ...] = ()

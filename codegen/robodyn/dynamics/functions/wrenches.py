@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 from robodyn.dynamics.functions.record import (
     QD,
@@ -22,6 +22,7 @@ from robodyn.dynamics.mass_matrix import factoring, solve_symmetric
 from robodyn.dynamics.state import Dynamics, Vector
 from robodyn.dynamics.vectors import inner
 
+At = TypeVar("At", bound=Dynamics)
 TAU_WRENCH = Array("tau_wrench", "joint torques of the wrench, J^T w", "N m", "N")
 
 
@@ -72,10 +73,10 @@ def _with_wrench(function: Function) -> Function:
     )
 
 
-def _forward(wrench_torques: Writing) -> Writing:
+def _forward(wrench_torques: Callable[[At], Vector]) -> Callable[[At], Sequence[Any]]:
     """``qdd = M^-1 (tau + J^T w - h)``."""
 
-    def solved(at: Dynamics) -> Sequence[Any]:
+    def solved(at: At) -> Sequence[Any]:
         pushed = wrench_torques(at)
         bias = at.torques(at.inputs["qd"], at.rest)
         right = zip(at.inputs["tau"], pushed, bias, strict=True)

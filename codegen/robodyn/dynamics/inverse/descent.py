@@ -30,9 +30,10 @@ from robodyn.dynamics.inverse.limits import (
     SHORTENED,
     SOLVED,
 )
-from robodyn.dynamics.inverse.solution import Joint, Solved, can_less
+from robodyn.dynamics.inverse.solution import Joint, Solved
 from robodyn.dynamics.inverse.subproblems import both, either
 from robodyn.dynamics.jacobians import columns
+from robodyn.dynamics.limits import TASK_JOINTS
 from robodyn.dynamics.mass_matrix import Factored
 from robodyn.dynamics.poses import pose
 from robodyn.dynamics.state import Dynamics
@@ -122,7 +123,7 @@ class Descent:
             allowed = (joint.allows(q, EDGE * self.unit) for joint, q in zip(joints, x.best, strict=True))
             result.within.append(both(*allowed))
             result.singular.append(x.singular)
-            if can_less(joints):
+            if len(joints) in TASK_JOINTS:
                 result.placed.append(result.exists[-1])
                 result.off.append(root(x.error))
         return result

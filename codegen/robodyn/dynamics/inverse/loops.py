@@ -63,7 +63,7 @@ def path(count: int, start: int, end: int, way: Way) -> Iterator[int | None]:
             at = at + 1 if at < count else 0
 
 
-def carried(
+def carry(
     axes: Sequence[Axis], target: Target, positions: Mapping[int, Any], x: Object, end: int, way: Way
 ) -> Vector:
     """``x`` carried ``way`` to behind joint ``end``; joints without a position stay at rest."""
@@ -95,8 +95,8 @@ def answered(
     """``branch`` with each position of the joint that ``equation`` gives."""
     joint, ways = axes[equation.place].joint, _ways(axes, target, equation, branch, at)
     if equation.instead is not None and not is_number(ways.lever):
-        other = _ways(axes, target, equation.instead, branch, at)
-        ways = preferred(choose(ways.lever - SHORT * SHORT, 1, 0), ways, other)
+        longer = _ways(axes, target, equation.instead, branch, at)
+        ways = preferred(choose(ways.lever - SHORT * SHORT, 1, 0), ways, longer)
     if isinstance(ways, Two):
         yield from branch.with_each(joint, ways)
     else:
@@ -111,7 +111,7 @@ def _ways(axes: Sequence[Axis], target: Target, equation: Equation, branch: Bran
     other: Way = "on" if way == "back" else "back"
 
     def brought(what: Object, end: int, by: Way) -> Vector:
-        return carried(axes, target, branch.positions, what, end, by)
+        return carry(axes, target, branch.positions, what, end, by)
 
     y = brought(x, behind, way)
     if u is None:

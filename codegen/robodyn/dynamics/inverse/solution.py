@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from robodyn.dynamics.arm import Arm
 from robodyn.dynamics.inverse.screws import opposite
 from robodyn.dynamics.inverse.subproblems import Branch, Sum, both
+from robodyn.dynamics.limits import TASK_JOINTS
 from robodyn.effects.scalars import arctangent, choose, magnitude
 from robodyn.ir.evaluate import Circle, turn
 from robodyn.robot.values import PI
@@ -79,11 +80,6 @@ def joints_of(arm: Arm, limits: Sequence[Limits]) -> tuple[Joint, ...]:
     )
 
 
-def can_less(joints: Sequence[Joint]) -> bool:
-    """Whether a pose asks for more than they can do, and for more than a place."""
-    return len(joints) in (4, 5)
-
-
 class Solved(NamedTuple):
     """Joint positions [b][n] (rad or m), and by branch [b] what is true of them, 1 or 0; of an arm of four or
     five joints whether they reach the tool's place, and by what angle they miss its rotation [rad]."""
@@ -146,7 +142,7 @@ def solved(
         result.exists.append(branch.exists)
         result.within.append(both(*(j.allows(x, rounding) for j, x in zip(joints, q, strict=True))))
         result.singular.append(branch.singular)
-        if can_less(joints):
+        if len(joints) in TASK_JOINTS:
             result.placed.append(branch.placed)
             result.off.append(branch.off)
     return result
