@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from typing import Any
 
 import numpy as np
@@ -54,6 +55,18 @@ def test_many_poses(kernel: Kernel) -> None:
     assert answer.solutions.shape == (7, 8, 6)
     assert [len(rows) for rows in answer.reached] == answer.solution_count.tolist()
     assert kernel.inverse_kinematics(T).solutions.shape == (7, 8, 6)
+
+
+def test_in_arrays_of_the_callers_flags_are_numbers(kernel: Kernel) -> None:
+    answer = kernel.inverse_kinematics(T[0])
+    out = [np.empty(x.shape) for x in answer]
+    same: Any = kernel.inverse_kinematics(T[0], out=out)
+    assert same.exists is out[1]
+    for one, two in zip(answer, same, strict=True):
+        np.testing.assert_array_equal(one, two)
+    for name in ("reached", "allowed"):
+        np.testing.assert_array_equal(getattr(same, name), getattr(answer, name))
+    assert type(pickle.loads(pickle.dumps(answer))) is Solutions
 
 
 def test_a_pose_that_is_no_number_has_no_solution(kernel: Kernel) -> None:

@@ -19,38 +19,50 @@ CONVERTED: Final[Mapping[str, Callable[[Array], Array]]] = {
 }
 
 
-class Solutions(NamedTuple):
-    """All branches of a pose, or of N poses: then every array has N in front.
+class _Rows:
+    """Rows that are all of a pose, of flags that may be bools or, in arrays of the caller's, numbers."""
 
-    ``solutions`` [b, n] (rad or m), a row for each branch; ``exists``, ``within``, ``singular`` [b], bools:
-    whether a row reaches the pose, is within the joints' limits, is where branches meet
-    or a joint is free. A row that does not exist is the nearest that its branch comes. ``solution_count`` [],
-    how many exist.
-    """
+    __slots__ = ()
+    solutions: Array
+    exists: Array
+    within: Array
 
+    @property
+    def reached(self) -> Array | list[Array]:
+        """The rows that reach the whole pose, [k, n]; of N poses a list of N such arrays."""
+        return self._chosen(self.exists > 0)
+
+    @property
+    def allowed(self) -> Array | list[Array]:
+        """The same within the joints' limits."""
+        return self._chosen((self.exists > 0) & (self.within > 0))
+
+    def _chosen(self, chosen: Array) -> Array | list[Array]:
+        if self.solutions.ndim == 2:
+            return self.solutions[chosen]
+        return [rows[which] for rows, which in zip(self.solutions, chosen, strict=True)]
+
+
+class _Solutions(NamedTuple):
     solutions: Array
     exists: Array
     within: Array
     singular: Array
     solution_count: Array
 
-    @property
-    def reached(self) -> Array | list[Array]:
-        """The rows that reach the pose, [k, n]; of N poses a list of N such arrays."""
-        return _rows(self.solutions, self.exists)
 
-    @property
-    def allowed(self) -> Array | list[Array]:
-        """The same within the joints' limits."""
-        return _rows(self.solutions, self.exists & self.within)
+class Solutions(_Solutions, _Rows):
+    """All branches of a pose, or of N poses: then every array has N in front.
 
-
-class TaskSolutions(NamedTuple):
-    """The same of an arm of four or five joints, which can do less than a pose asks for: ``placed`` [b],
-    bools, says whether a row reaches the tool's place, ``off`` [b] by what angle it misses its
-    rotation [rad].
+    ``solutions`` [b, n] (rad or m), a row for each branch; ``exists``, ``within``, ``singular`` [b], bools:
+    whether a row reaches the pose, is within the joints' limits, is where branches meet or a joint is free. A
+    row that does not exist is the nearest that its branch comes. ``solution_count`` [], how many exist.
     """
 
+    __slots__ = ()
+
+
+class _TaskSolutions(NamedTuple):
     solutions: Array
     exists: Array
     within: Array
@@ -59,15 +71,14 @@ class TaskSolutions(NamedTuple):
     placed: Array
     off: Array
 
-    @property
-    def reached(self) -> Array | list[Array]:
-        """The rows that reach the whole pose, [k, n]; of N poses a list of N such arrays."""
-        return _rows(self.solutions, self.exists)
 
-    @property
-    def allowed(self) -> Array | list[Array]:
-        """The same within the joints' limits."""
-        return _rows(self.solutions, self.exists & self.within)
+class TaskSolutions(_TaskSolutions, _Rows):
+    """The same of an arm of four or five joints, which can do less than a pose asks for: ``placed`` [b],
+    bools, says whether a row reaches the tool's place, ``off`` [b] by what angle it misses its
+    rotation [rad].
+    """
+
+    __slots__ = ()
 
 
 class NearestSolution(NamedTuple):
@@ -104,9 +115,3 @@ def named_results(names: tuple[str, ...]) -> type[tuple[Array, ...]]:
 def handed_back(names: tuple[str, ...], results: Sequence[Array]) -> Array | tuple[Array, ...]:
     """The results called ``names``: one array as it is, several as a tuple with these names."""
     return results[0] if len(results) == 1 else named_results(names)._make(results)  # type: ignore[attr-defined]
-
-
-def _rows(solutions: Array, chosen: Array) -> Array | list[Array]:
-    if solutions.ndim == 2:
-        return solutions[chosen]
-    return [rows[which] for rows, which in zip(solutions, chosen, strict=True)]
