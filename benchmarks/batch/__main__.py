@@ -40,13 +40,13 @@ def products(generated: Generated, lanes: str) -> dict[str, int]:
     """Of each function the products of a state, those of sines and cosines included, from the C text."""
     bodies = re.split(r"^LANES_TARGET ", lanes, flags=re.MULTILINE)
     sines = next(len(_PRODUCT.findall(body)) for body in bodies if "LANES_NAME(sincos)(" in body)
-    found = {}
+    counts = {}
     for signature in generated.signatures:
         head = f"static void LANES_NAME({signature.called})("
         (body,) = (body for body in bodies if body.startswith(head))
-        own = body.partition("LANES) {")[2]
-        found[signature.function] = len(_PRODUCT.findall(own)) + sines * own.count("LANES_SINCOS(")
-    return found
+        loop = body.partition("LANES) {")[2]
+        counts[signature.function] = len(_PRODUCT.findall(loop)) + sines * loop.count("LANES_SINCOS(")
+    return counts
 
 
 def _arm(arm: str, folder: Path) -> tuple[list[str], list[Row]]:
@@ -121,14 +121,14 @@ def _ratio(row: Row, layout: str) -> float:
 def tables(results: Row) -> tuple[str, str]:
     """What the page shows, and all times."""
     heads = ("N = 512", "of the bound", "N = 131,072", "ratio", "bytes alone", "rows", "columns")
-    shown = [f"| arm | function | {' | '.join(heads)} |", "|---|---|" + "---:|" * len(heads)]
+    summary = [f"| arm | function | {' | '.join(heads)} |", "|---|---|" + "---:|" * len(heads)]
     counts = " | ".join(f"{int(count):,}" for count in COUNTS)
     every = [f"| arm | function | layout | {counts} |", "|---|---|---|" + "---:|" * len(COUNTS)]
     for row in results["functions"]:
         blocks, name = row["blocks"], f"| `{row['arm']}` | `{row['function']}` |"
         share = row["products"] * results["product"] / blocks[SMALL]
         ratios = " | ".join(f"{_ratio(row, layout):.2f}" for layout in ("rows", "columns"))
-        shown.append(
+        summary.append(
             f"{name} {blocks[SMALL]:.3g} | {100 * share:.0f} % | {blocks[LARGE]:.3g} "
             f"| {_ratio(row, 'blocks'):.2f} | {row['alone']:.3g} | {ratios} |"
         )
@@ -136,16 +136,16 @@ def tables(results: Row) -> tuple[str, str]:
             f"{name} {layout} | {' | '.join(f'{row[layout][count]:.3g}' for count in COUNTS)} |"
             for layout in ("blocks", "rows", "columns")
         ]
-    return "\n".join(shown), "\n".join(every)
+    return "\n".join(summary), "\n".join(every)
 
 
 def markdown(results: Row) -> str:
     """The page of all times."""
-    shown, every = tables(results)
+    summary, every = tables(results)
     return (
         f"# Batches\n\nNanoseconds a state, one thread, double, on {results['processor']}; a product of "
         f"vectors takes {results['product']:.3g} ns a state. What the columns are: docs/batch.md.\n\n"
-        f"{shown}\n\nBy number of states:\n\n{every}\n"
+        f"{summary}\n\nBy number of states:\n\n{every}\n"
     )
 
 

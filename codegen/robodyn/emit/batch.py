@@ -24,11 +24,13 @@ from robodyn.ir.program import Input, Program
 from robodyn.ir.signature import Signature
 from robodyn.passes.registers import registers
 
-#: Bytes of the vectors, and of a line of the cache: a block of states is as wide as the last.
+#: Bytes of the vectors (SSE2 and NEON, AVX2, AVX-512), and of a line of the cache of x86-64 and most ARM, one
+#: of the widest: a block of states is as wide as that.
 WIDTHS: Final = (16, 32, 64)
 LINE: Final = 64
 
-#: Blocks that are copied at once where the array's own are larger: few enough for the stack of a thread.
+#: Blocks that are copied at once where the array's own are larger. A choice: the tiles of functions of some
+#: 200 numbers a state take less than 64 KiB of a thread's stack.
 TILE: Final = 4
 
 #: Bytes of results from which on they are written past the caches: half of the 2 MiB that the second level of
