@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -81,6 +82,14 @@ def test_torques_that_are_read_late_are_no_error_of_reading_within_a_sample() ->
     (delay,) = (f.parameters["delay"] for f in found.findings)
     assert float(delay.value) == pytest.approx(2 / 250, rel=0.02)
     assert delay.stderr == pytest.approx(1 / 250 / np.sqrt(12), rel=0.05)  # when within a period nobody knows
+
+
+def test_torques_that_are_all_too_large_are_one_name_and_not_one_a_number() -> None:
+    made = hidden_log("puma560_3dof", [], seed=4, duration=6.0, friction=True, validation=False)
+    found = diagnose(made.given, [replace(made.train, tau=1.25 * made.train.tau)])
+    assert claims(found) == {("torque_gain", None)}
+    (gain,) = (f.parameters["gain"] for f in found.findings)
+    assert float(gain.value) == pytest.approx(0.25, rel=0.02)
 
 
 def stopping(robot: Robot, level: float, hold: float, seed: int = 1) -> Log:

@@ -156,6 +156,23 @@ def test_late_torques(clean: Log, described: Robot) -> None:
     assert number_in(text) == pytest.approx(20, abs=2)
 
 
+@pytest.mark.parametrize("clock", [0.5, 1.1, 2.0])
+def test_a_clock(clean: Log, described: Robot, clock: float) -> None:
+    with pytest.raises(InputError, match=r"^t: ") as caught:
+        inspect(replace(clean, t=clock * clean.t), described)
+    assert number_in(str(caught.value)) == pytest.approx(clock, rel=0.05)
+    assert "divide t by about" in str(caught.value)
+
+
+@pytest.mark.parametrize("factor", [0, 1, 3])
+def test_inertias_that_are_all_far_off_are_no_clock(clean: Log, ur10: Robot, factor: int) -> None:
+    links = [
+        replace(link, inertia=type(link.inertia)(*(factor * x for x in link.inertia.entries)))
+        for link in ur10.links
+    ]
+    inspect(clean, replace(ur10, links=tuple(links)))
+
+
 def test_torques_without_gravity(clean: Log, ur10: Robot, described: Robot) -> None:
     weight = Reference(ur10).inverse_dynamics(clean.q, 0 * clean.q, 0 * clean.q)
     gate = inspect(replace(clean, tau=clean.tau - weight), described)

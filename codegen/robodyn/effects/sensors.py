@@ -45,7 +45,7 @@ GAIN = Effect(
     place="sensor",
     parameters=(Parameter("gain", "Measured = (1 + gain) times true.", "1", symbol="g"),),
     latex=r"\tau_m = (1 + g)\,\tau",
-    doc="The torque constant is not what it is taken for.",
+    doc="The torque constant is not what it is taken for; of one joint, or in the robot's list of all.",
     signature="in proportion to the whole torque, friction included, whatever the direction of motion",
     rivals=("payload", "inertial_error", "transmission_loss", "load_dependent_friction"),
     separates="a known payload: an equal gain of all joints is a scale of all masses",
@@ -56,7 +56,7 @@ GAIN = Effect(
         noun="a wrong torque scale",
         of_all=True,
         channel=Channel("gain", "gain"),
-        candidates=(Shown(2),),
+        candidates=(Shown(2, of_all=2),),
         reevaluate=True,
         hidden=Hidden(
             lambda u, way, rng: Form(lambda x: {"gain": way * x}, 0.05, 1e-3, 0.5),
@@ -147,7 +147,7 @@ SATURATION = Effect(
     traits=Traits(
         noun="a torque limit",
         channel=Channel("limit", "limit", "clips"),
-        candidates=(Shown(2),),
+        candidates=(Shown(2, of_all=2),),
         reevaluate=True,
         hidden=Hidden(_limit_form, needs="load"),
         over="load",

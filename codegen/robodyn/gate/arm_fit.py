@@ -102,7 +102,7 @@ class ArmFit:
     def table(self, reading: Reading) -> Table:
         """The ``reading`` along the log."""
         columns, model = self._along(
-            reading.order, reading.scale, reading.zero, reading.gravity, reading.down
+            reading.order, reading.scale, reading.zero, reading.gravity, reading.down, reading.clock
         )
         channels, factor = list(reading.tau_order), np.array(reading.tau_scale)
         tau = self.states.torque(reading.late)[:, channels] * factor
@@ -112,12 +112,12 @@ class ArmFit:
 
     def _states(
         self, order: tuple[int, ...], scale: tuple[float, ...], zero: tuple[float, ...], gravity: str,
-        down: tuple[float, ...],
+        down: tuple[float, ...], clock: float,
     ) -> tuple[Floats, Floats]:  # fmt: skip
         """The columns [n, K, r + 7] of states read so, and the model's torque [n, K]."""
         s = self.states
         q, qd, qdd, way = (x[:, list(order)] * np.array(scale) for x in (s.q, s.qd, s.qdd, s.way))
-        q = q - np.array(zero)
+        q, qd, qdd = q - np.array(zero), clock * qd, clock**2 * qdd
         arm = self._under(down) if down else self._model
         Y, m = arm.regressor(q, qd, qdd), arm.torque(q, qd, qdd)
         if gravity != "whole":

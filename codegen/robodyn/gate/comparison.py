@@ -89,6 +89,7 @@ class Comparison:
                 yield from self._gains(list(range(j, n)))
         everyone = named("tau", range(1, n + 1))
         yield from self._late(everyone)
+        yield from self._clock()
         for j in range(n):
             yield from self._zeros(j)
         if base.gravity == "whole" and any(self.robot.gravity):
@@ -153,6 +154,29 @@ class Comparison:
 
         yield from self._fitted(at, slope, text, most=0.02)
 
+    def _clock(self) -> Iterator[Trial]:
+        base, h = replace(self.base.reading, kind="clock", where="t"), 0.01
+
+        def at(log_clock: float) -> Reading:
+            return replace(base, clock=base.clock * math.exp(log_clock))
+
+        def slope(one: Trial, x: Floats) -> Floats:
+            return self._change(one, replace(one.reading, clock=one.reading.clock * math.exp(h)), x) / h
+
+        def text(value: float, error: float) -> str:
+            clock = base.clock * math.exp(value)
+            return f"{clock:.3g} +- {clock * error:.1g} times the time that passed, as the torques tell"
+
+        for one in self._fitted(at, slope, text, most=0.3):
+            remedy = f"divide t by about {one.reading.clock:.3g}, and multiply rates by it"
+            yield replace(one, reading=replace(one.reading, remedy=remedy))
+
+    def _change(self, one: Trial, reading: Reading, x: Floats) -> Floats:
+        """By how much the model's torques [n, K] are more in another ``reading``, its numbers being ``x``."""
+        other, rigid = self.arm.table(reading), slice(0, self.arm.r)
+        change = other.columns[..., rigid] - one.table.columns[..., rigid]
+        return np.asarray(other.model - one.table.model + change @ x)
+
     def _zeros(self, j: int) -> Iterator[Trial]:
         base, h = replace(self.base.reading, kind="zero", where=f"q{j + 1}", joints=(j + 1,)), 0.02
         is_angle = self.robot.links[j].joint.kind == "revolute"
@@ -163,9 +187,7 @@ class Comparison:
 
         def slope(one: Trial, x: Floats) -> Floats:
             zero = tuple(z + h * (k == j) for k, z in enumerate(one.reading.zero))
-            other, rigid = self.arm.table(replace(one.reading, zero=zero)), slice(0, self.arm.r)
-            change = other.columns[..., rigid] - one.table.columns[..., rigid]
-            return np.asarray((other.model - one.table.model + change @ x) / h)
+            return self._change(one, replace(one.reading, zero=zero), x) / h
 
         def text(value: float, error: float) -> str:
             zero = base.zero[j] + value

@@ -87,6 +87,8 @@ def _chosen(better: list[Trial]) -> Trial:
     mounted = [one for one in alike if one.reading.down]
     if mounted:
         return mounted[0]
+    # A clock is like inertias that are all far off.
+    alike = [one for one in alike if one.reading.kind != "clock" or one is better[0]]
     alike = [one for one in alike if one.reading.looseness < limits.LOOSENED] or alike
     same = [one for one in alike if one.reading.kind == alike[0].reading.kind]
     return alike[0] if alike[0].reading.remedy else min(same, key=lambda one: len(one.reading.joints))

@@ -24,7 +24,8 @@ class Reading:
     Positions are taken in the ``order`` [n], times the ``scale`` [n], less the ``zero`` [n]; torques ``late``
     [s], in the ``tau_order`` and times ``tau_scale`` [n]. ``gravity``: the torque has all of
     it, what a controller with the description leaves of it, or none; ``down``: itself [m/s^2], where it is
-    not the description's; ``looseness``: so many times less sure is the description than it says.
+    not the description's; ``clock``: times of the log are so many times the true ones; ``looseness``: so many
+    times less sure is the description than it says.
     """
 
     order: tuple[int, ...]
@@ -35,6 +36,7 @@ class Reading:
     late: float = 0.0
     gravity: Literal["whole", "error", "none"] = "whole"
     down: tuple[float, ...] = ()
+    clock: float = 1.0
     looseness: float = 1.0
     kind: str = "logged"
     joints: tuple[int, ...] = ()

@@ -15,7 +15,7 @@ from robodyn.diagnose.select.library.context import context_of
 from robodyn.diagnose.select.library.elastic import twists
 from robodyn.diagnose.select.library.laws import dahl, laws
 from robodyn.diagnose.select.library.position import lines, waves
-from robodyn.diagnose.select.library.sensors import channels, late_channels
+from robodyn.diagnose.select.library.sensors import all_channels, channels
 from robodyn.diagnose.select.library.several import (
     numbers,
     pairs,
@@ -73,4 +73,4 @@ def _candidates(c: Context, scope: Scope) -> Iterator[Candidate]:
         elif effect.traits.channel is None:
             yield from numbers(c, effect, way)
         elif way.of_all is not None:
-            yield from late_channels(c, effect, way)
+            yield from all_channels(c, effect, way)

@@ -52,15 +52,17 @@ def channels(c: Context, effect: Effect, shown: Shown, j: int) -> Iterator[Candi
         )
 
 
-def late_channels(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
-    """All torque channels late by the same."""
-    channel, s = effect.traits.channel, c.slow
+def all_channels(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate]:
+    """All torque channels late by the same, or wrong by the same factor."""
+    channel, s, total = effect.traits.channel, c.slow, c.at_slow.total
     assert channel is not None
     assert shown.of_all is not None
-    late = -np.gradient(s.filtered(c.at_slow.total), s.period, axis=0)
+    is_gain = channel.acts == "gain"
+    column = total if is_gain else -np.gradient(s.filtered(total), s.period, axis=0)
     yield Candidate(
-        effect.id, None, tuple(range(c.n)), late[:, :, None], (1,),
+        effect.id, None, tuple(range(c.n)), column[:, :, None], (0,) if is_gain else (1,),
         lambda x: {channel.parameter: float(x[0])}, shown.of_all, coarse=True,
+        feasible=lambda x: bool(not is_gain or abs(x[0]) < GAIN_MOST),
     )  # fmt: skip
 
 
