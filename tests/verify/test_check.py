@@ -12,9 +12,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+import robodyn
 from robodyn.dynamics.functions import FUNCTIONS, function_named
 from robodyn.effects.scalars import root
 from robodyn.errors import InputError
+from robodyn.robot import read_text
 from robodyn.robot.model import Link, Robot
 from robodyn.robot.values import angle, parameter
 from robodyn.verify import Reference
@@ -56,6 +58,17 @@ def test_what_has_no_exact_value_is_not_compared_exactly(arm: Robot, monkeypatch
     reason = "roots, exponentials and the like have no exact values"
     assert report.skipped == {"gravity with exact": reason}
     assert {c.against for c in report.comparisons if c.function == "gravity"} == {"reference", "lagrangian"}
+
+
+def test_a_regressor_beside_smooth_friction_has_no_exact_value() -> None:
+    robot = read_text(
+        "name: a\nfriction_at_rest: {smooth: {velocity: 0.01}}\n"
+        "links: [{joint: revolute, a: 0.2, mass: 1, com: [0.3, 0, 0], friction: {coulomb: 1}}]"
+    )
+    report = check(robot, robodyn.compile(robot, functions=["regressor"]), lagrangian=False)
+    assert report.skipped == {"regressor with exact": "roots, exponentials and the like have no exact values"}
+    assert [c.against for c in report.comparisons] == ["reference"]
+    assert report.passed
 
 
 def scaled(x: Any) -> Any:

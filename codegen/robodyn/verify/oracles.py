@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -103,23 +104,35 @@ class Oracle:
         TorquesAlone: exact numbers do not have what it takes.
         """
         assert function.expected is not None
-        try:
+        with self._exact_values():
             elements = function.expected(_Columns(self, inputs))
-        except TypeError as error:  # numpy, of a Fraction
-            if not self.exact or "no callable" not in str(error):
-                raise
-            raise TorquesAlone("roots, exponentials and the like have no exact values") from error
         return self._rows(elements, len(inputs["q"]))
 
     def compared(
         self, function: Function, inputs: Mapping[str, Floats], result: Numbers, anywhere: Floats
     ) -> tuple[Numbers, Numbers]:
         """What is to be equal if the elements ``[N, m]`` of ``result`` are those of ``function``;
-        ``anywhere`` ``[N, n]`` are numbers that no rule connects."""
+        ``anywhere`` ``[N, n]`` are numbers that no rule connects.
+
+        Raises
+        ------
+        TorquesAlone: exact numbers do not have what it takes.
+        """
         count = len(result)
         at = _Columns(self, inputs)
-        one, other = function.compared(at, self._columns(result), self._columns(anywhere))
+        with self._exact_values():
+            one, other = function.compared(at, self._columns(result), self._columns(anywhere))
         return self._rows(one, count), self._rows(other, count)
+
+    @contextmanager
+    def _exact_values(self) -> Iterator[None]:
+        """Where an exact reference asks for what no fraction has."""
+        try:
+            yield
+        except TypeError as error:  # numpy, of a Fraction
+            if not self.exact or "no callable" not in str(error):
+                raise
+            raise TorquesAlone("roots, exponentials and the like have no exact values") from error
 
     def _columns(self, array: Numbers) -> list[Numbers]:
         """``[N, m]`` as columns of the reference's numbers."""
