@@ -12,12 +12,16 @@ import pytest
 from diagnose.plain_arms import SLIDE, TURNTABLE, logged, read
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.select.families import families
+from robodyn.diagnose.select.library import context_of
 from robodyn.diagnose.select.noise import rest_of
 from robodyn.diagnose.select.nuisance import own_numbers
-from robodyn.diagnose.select.rows import Rows, rows_of
+from robodyn.diagnose.select.rows import Rows, encoder_torque_noise, rows_of
 from robodyn.diagnose.select.scope import Scope
 from robodyn.gate.gate import inspect
+from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log
+from robodyn.logs.signals import signals_of, smoothed_motion
+from robodyn.robot import load
 
 LEVEL, UNRESOLVED = 3.0, 0.02
 RUBBING = TURNTABLE.replace("zz: 0.5}", f"zz: 0.5}}, friction: {{coulomb: {LEVEL}}}")
@@ -70,3 +74,27 @@ def test_a_tilted_base_shows_the_first_links_weight() -> None:
     rows = rows_of(arm, [inspect(logged(arm), arm)])
     tilt = Amendment("base_tilt", None, {"tilt_x": 0.1, "tilt_y": 0.05})
     assert [own_numbers(rows, 0.3, tilts).shape[2] for tilts in ([], [tilt])] == [1, 3]
+
+
+# --- signals ----------------------------------------------------------------------------------------------
+
+
+def test_ends_of_a_motion_keep_their_acceleration() -> None:
+    t = np.arange(450) / 1000
+    q = np.sin(2 * np.pi * 1.3 * t)[:, None]
+    smooth = smoothed_motion(q, 1000.0, 15.0)
+    second = np.gradient(np.gradient(smooth, 1e-3, axis=0), 1e-3, axis=0)
+    exact = -((2 * np.pi * 1.3) ** 2) * q
+    assert np.abs(second - exact)[3:-3].max() < 0.15 * np.abs(exact).max()
+
+
+def test_what_noise_of_the_encoders_makes_of_torques() -> None:
+    robot, rng = load("ur5"), np.random.default_rng(0)
+    t = np.arange(20_000) / 1000
+    slow = 0.5 * np.sin(0.7 * t[:, None] + np.arange(6))
+    noisy = signals_of(Log(t, slow + 1e-5 * rng.standard_normal(slow.shape), None, None, 0 * slow), cutoff=15)
+    clean = signals_of(Log(t, slow, None, None, 0 * slow), cutoff=15)
+    model = Model(robot)
+    tau = [model.torque(s.q, s.qd, s.qdd) for s in (noisy, clean)]
+    seen = noisy.thinned(noisy.filtered(tau[0] - tau[1])).std(axis=0)
+    np.testing.assert_allclose(encoder_torque_noise(context_of(model, noisy)), seen, rtol=0.2)

@@ -10,18 +10,15 @@ import numpy as np
 import pytest
 from benchmarks.blind_arms.cases import Case
 from benchmarks.blind_arms.logs import effect, hidden_log
+from benchmarks.gap.blind.trials import trials
 
 from diagnose.plain_arms import PENDULUM, SLIDE, TURNTABLE, WEIGHTLESS, Floats, Lacks, logged, read, rigid
 from robodyn.diagnose.amend.amend import Amendment
 from robodyn.diagnose.blind.hide import Setup, hide
 from robodyn.diagnose.result import Diagnosis, Estimate
 from robodyn.diagnose.run import diagnose
-from robodyn.diagnose.select.library import context_of
-from robodyn.diagnose.select.rows import encoder_torque_noise
 from robodyn.formats.loading import robot_of
-from robodyn.kernels.array_dynamics import Model
 from robodyn.logs.log import Log, read_log
-from robodyn.logs.signals import signals_of, smoothed_motion
 from robodyn.robot import load
 from robodyn.robot.model import EffectEntry, Robot
 
@@ -90,6 +87,16 @@ def test_torques_that_are_all_too_large_are_one_name_and_not_one_a_number() -> N
     assert claims(found) == {("torque_gain", None)}
     (gain,) = (f.parameters["gain"] for f in found.findings)
     assert float(gain.value) == pytest.approx(0.25, rel=0.02)
+
+
+def test_one_cause_is_likelier_than_two_that_are_the_same_together() -> None:
+    """An offset comes in first, then dry friction beside it: together they are friction of two levels."""
+    (trial,) = (
+        one for one in trials("near", ("random",), range(47001, 47002)) if one.effect == "asymmetric_friction"
+    )
+    made = trial.make()
+    found = diagnose(made.given, [made.train])
+    assert claims(found) == {("asymmetric_friction", 2), ("viscous_friction", 2)}
 
 
 def stopping(robot: Robot, level: float, hold: float, seed: int = 1) -> Log:
@@ -321,27 +328,3 @@ def test_a_real_arm_from_rigid_to_coupled() -> None:
     assert {effect for effect, _ in named} >= {"viscous_friction", "coulomb_friction"}
     size = np.sqrt(np.mean(log.tau**2, axis=0))
     assert np.mean(found.gap.train_after / size) < 0.15
-
-
-# --- signals ----------------------------------------------------------------------------------------------
-
-
-def test_ends_of_a_motion_keep_their_acceleration() -> None:
-    t = np.arange(450) / 1000
-    q = np.sin(2 * np.pi * 1.3 * t)[:, None]
-    smooth = smoothed_motion(q, 1000.0, 15.0)
-    second = np.gradient(np.gradient(smooth, 1e-3, axis=0), 1e-3, axis=0)
-    exact = -((2 * np.pi * 1.3) ** 2) * q
-    assert np.abs(second - exact)[3:-3].max() < 0.15 * np.abs(exact).max()
-
-
-def test_what_noise_of_the_encoders_makes_of_torques() -> None:
-    robot, rng = load("ur5"), np.random.default_rng(0)
-    t = np.arange(20_000) / 1000
-    slow = 0.5 * np.sin(0.7 * t[:, None] + np.arange(6))
-    noisy = signals_of(Log(t, slow + 1e-5 * rng.standard_normal(slow.shape), None, None, 0 * slow), cutoff=15)
-    clean = signals_of(Log(t, slow, None, None, 0 * slow), cutoff=15)
-    model = Model(robot)
-    tau = [model.torque(s.q, s.qd, s.qdd) for s in (noisy, clean)]
-    seen = noisy.thinned(noisy.filtered(tau[0] - tau[1])).std(axis=0)
-    np.testing.assert_allclose(encoder_torque_noise(context_of(model, noisy)), seen, rtol=0.2)

@@ -47,7 +47,7 @@ class Search(Steps):
                 fit = turned
                 continue
             if best is None:
-                more = widened(fit, self.threshold) or timed(fit, self.threshold)
+                more = self.of_one_cause(fit) or widened(fit, self.threshold) or timed(fit, self.threshold)
                 again = self.reviewed(more or fit, range(self.rows.n))
                 if again is fit:
                     break
