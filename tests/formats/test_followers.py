@@ -4,6 +4,7 @@ that are written."""
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from robodyn.kernels.options import Options
 from robodyn.robot.coupling import transmission_of
 from robodyn.robot.model import Robot
 from robodyn.robot.reader import read_text
+from robodyn_testing import require_module
 from robodyn_testing.coupled_files import (
     PALLETIZER,
     WRITTEN,
@@ -30,7 +32,7 @@ from robodyn_testing.coupled_files import (
     urdf,
 )
 
-pin = pytest.importorskip("pinocchio")
+pin: Any = require_module("pinocchio")
 TOLERANCE = 1e-9
 #: What the kernels of every file are compared in; files of the long run are in all that Pinocchio has.
 SOME = ("inverse_dynamics", "mass_matrix", "forward_dynamics", "forward_kinematics", "jacobian")
@@ -156,7 +158,7 @@ def errors(robot: Robot, reference: Pinocchio, functions: tuple[str, ...]) -> di
 def check(folder: Path, seed: int, functions: tuple[str, ...]) -> dict[str, float]:
     parts, ending = random_parts(seed), ("urdf", "xml", "sdf")[seed % 3]
     if ending == "xml":
-        pytest.importorskip("mujoco")
+        require_module("mujoco")
     robot = robot_of(folder, ending, parts)
     reference = Pinocchio(parts, seed)
     at = transmission_of(robot)
@@ -233,7 +235,7 @@ def test_circles_are_refused_with_their_line(tmp_path: Path) -> None:
 
 
 def test_what_has_no_ratio_is_refused(tmp_path: Path) -> None:
-    pytest.importorskip("mujoco")
+    require_module("mujoco")
     parts = next(parts for parts in map(random_parts, range(9)) if parts[-1].follows)
     curved = mjcf(parts).replace(' 0 0 0"', ' 0.5 0 0"')
     assert "no constant ratio" in refusal(tmp_path, curved, "xml")
