@@ -27,7 +27,7 @@ def command(
     states: int | None,
     **model: Any,
 ) -> None:
-    """Time a kernel on this machine: serial, packed, on threads, and compared with installed peers.
+    """Time a kernel on this machine: serial, packed, on threads, beside installed peers.
 
     The first table has nanoseconds and instructions per call, also for those of pin, mujoco and casadi that
     are installed and give the same torques. The second table is for threads, after a bitwise comparison: the

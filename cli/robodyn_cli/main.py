@@ -1,7 +1,7 @@
 """The command ``robodyn``: dispatches to the command's module.
 
 A command's module is imported only when the command runs, so that ``robodyn gen`` does not import what
-``robodyn verify`` needs. The table :data:`COMMANDS` has the short helps for ``robodyn --help``. Only click
+``robodyn verify`` needs. The table :data:`GROUPS` has the short helps for ``robodyn --help``. Only click
 and light modules are imported here.
 """
 
@@ -23,37 +23,51 @@ from robodyn_cli.output import Document
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
-COMMANDS: Final = {
-    "gen": "Write the kernels of a robot, and print the operation counts.",
-    "package": "Write a package of a robot's kernels for somebody else's build.",
-    "build": "Write or check the kernels of all robots of a project.",
-    "flops": "Count multiplications and additions, and check them against a budget.",
-    "tables": "Compare the thesis's tables with recomputed figures.",
-    "schedule": "Split the dynamics into tasks and schedule them on processors.",
-    "plan": "Find a formulation, schedule and target that meet a deadline.",
-    "bench": "Time a kernel on this machine: serial, packed, on threads, and compared with installed peers.",
-    "ik": "Solve for the joint positions that bring the tool to a pose.",
-    "simulate": "Simulate a robot with all its effects, and write the log.",
-    "diagnose": "Find the effects that a model is missing, add them, and validate the amended model.",
-    "fleet": "Find the arms of a fleet that differ from their siblings or have changed.",
-    "logs": "Show what is in a log, and propose which columns are what.",
-    "identify": "Identify links, friction and rotors from logs, physically consistent, with intervals.",
-    "hide": "Make a blind test: hide effects in simulated logs and seal the answer.",
-    "excite": "Design a motion within the limits that distinguishes effects.",
-    "verify": "Compare the compiled kernels with independent references.",
-    "prove": "Prove properties of a kernel: rounding, run-time errors, stack, MISRA C:2012.",
-    "case-study": "Repeat the thesis's case study of friction (chapter 3).",
-    "effects": "List the effects of the catalogue, or describe one of them.",
-    "robots": "List the bundled robots.",
-    "import": "Import a serial arm from URDF, MJCF, SDF or xacro as a description.",
-    "export": "Export a robot to URDF, MJCF or SDF.",
-    "diff": "Compare two robots: numbers, frames, torques, operation counts.",
-    "report": "Write a page that shows an arm, or two beside each other.",
-    "schema": "Print the JSON Schema of the robot description.",
-    "new": "Write a commented starter file to fill in.",
-    "doctor": "Show which programs and libraries are here, what each enables, and how to get the others.",
-    "completion": "Print or install the script with which a shell completes robodyn.",
+GROUPS: Final = {
+    "Describe an arm": {
+        "new": "Write a commented starter file to fill in.",
+        "import": "Import a serial arm from URDF, MJCF, SDF or xacro as a description.",
+        "robots": "List the bundled robots.",
+        "effects": "List the effects of the catalogue, or describe one of them.",
+        "schema": "Print the JSON Schema of the robot description.",
+        "export": "Export a robot to URDF, MJCF or SDF.",
+        "diff": "Compare two robots: numbers, frames, torques, operation counts.",
+        "report": "Write a page that shows an arm, or two beside each other.",
+    },
+    "Generate code": {
+        "gen": "Write the kernels of a robot, and print the operation counts.",
+        "functions": "List the functions that kernels may have, or describe one of them.",
+        "flops": "Count multiplications and additions, and check them against a budget.",
+        "build": "Write or check the kernels of all robots of a project.",
+        "verify": "Compare the compiled kernels with independent references.",
+        "prove": "Prove properties of a kernel: rounding, run-time errors, stack, MISRA C:2012.",
+        "bench": "Time a kernel on this machine: serial, packed, on threads, beside installed peers.",
+        "plan": "Find a formulation, schedule and target that meet a deadline.",
+    },
+    "Deploy it": {
+        "package": "Write a package of a robot's kernels for somebody else's build.",
+        "doctor": "Show which programs and libraries are here, what each enables, and how to get the others.",
+        "completion": "Print or install the script with which a shell completes robodyn.",
+    },
+    "Simulate and measure": {
+        "ik": "Solve for the joint positions that bring the tool to a pose.",
+        "simulate": "Simulate a robot with all its effects, and write the log.",
+        "logs": "Show what is in a log, and propose which columns are what.",
+        "identify": "Identify links, friction and rotors from logs, physically consistent, with intervals.",
+        "diagnose": "Find the effects that a model is missing, add them, and validate the amended model.",
+        "fleet": "Find the arms of a fleet that differ from their siblings or have changed.",
+        "excite": "Design a motion within the limits that distinguishes effects.",
+        "hide": "Make a blind test: hide effects in simulated logs and seal the answer.",
+    },
+    "The thesis": {
+        "tables": "Compare the thesis's tables with recomputed figures.",
+        "schedule": "Split the dynamics into tasks and schedule them on processors.",
+        "case-study": "Repeat the thesis's case study of friction (chapter 3).",
+    },
 }
+"""What people come for, in the order in which they need it -> name of a command -> its short help."""
+
+COMMANDS: Final = {name: short for commands in GROUPS.values() for name, short in commands.items()}
 """Name of a command -> its short help."""
 
 
@@ -99,8 +113,10 @@ class LazyGroup(click.Group):
         return [*commands, *click.Command.shell_complete(self, ctx, incomplete)]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        with formatter.section("Commands"):
-            formatter.write_dl(list(COMMANDS.items()))
+        width = max(map(len, COMMANDS))
+        for title, commands in GROUPS.items():
+            with formatter.section(title):
+                formatter.write_dl([(f"{name:{width}}", short) for name, short in commands.items()])
 
 
 EPILOG: Final = """\

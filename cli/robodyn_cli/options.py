@@ -114,19 +114,10 @@ def functions_option(default: str | None = None, text: str | None = None) -> Cal
     without ``default`` those that are written by default. ``text`` is the help."""
     without = "" if default else "  [default: all but those on request]"
 
-    def help() -> str:
-        from robodyn.dynamics.functions import FUNCTIONS
-
-        names = "; ".join(
-            f"{function.name} ({function.purpose}{'' if function.by_default else '; on request'})"
-            for function in FUNCTIONS.values()
-        )
-        what = text or f"Functions, separated by commas, or all that ROBOT has.{without}"
-        return f"{what}  There are {names}."
-
+    what = text or f"Functions, separated by commas, or all that ROBOT has.{without}"
     return option(
         "--functions --function=A,B functions",
-        help,
+        f'{what}  "robodyn functions" lists them.',
         SEVERAL_FUNCTIONS,
         multiple=True,
         default=None if default is None else (default,),

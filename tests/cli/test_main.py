@@ -17,6 +17,7 @@ import pytest
 
 import robodyn
 from cli.command import Capture, environment, python, run, run_json
+from robodyn.dynamics.functions import FUNCTIONS
 from robodyn.errors import CheckError, InputError, Place, ToolError, error_schema
 from robodyn_cli import main as frame
 from robodyn_cli.failures import asks_for_json, guard
@@ -151,7 +152,7 @@ def test_both_modules_run(module: str) -> None:
 
 def test_no_command_gets_the_help() -> None:
     done = python("-m", "robodyn")
-    assert "Commands:" in done.stdout + done.stderr
+    assert "Generate code:" in done.stdout + done.stderr
     assert "robodyn: error" not in done.stderr
 
 
@@ -223,6 +224,31 @@ def test_help_of_every_command(capsys: Capture) -> None:
 
 
 # --- small commands ---------------------------------------------------------------------------------------
+
+
+def test_functions_are_listed_and_described(capsys: Capture) -> None:
+    rows = run_json(capsys, "functions")
+    assert [row["name"] for row in rows] == list(FUNCTIONS)
+    text, _ = run(capsys, "functions")
+    assert [line.partition(":")[0] for line in text.splitlines() if not line.startswith(" ")] == list(
+        FUNCTIONS
+    )
+    assert run_json(capsys, "functions gravity") == {
+        "name": "gravity",
+        "purpose": FUNCTIONS["gravity"].purpose,
+        "by_default": True,
+        "inputs": {"q": "joint positions [rad, prismatic m]"},
+        "results": {"tau": "joint torques [N m, prismatic N]"},
+    }
+    assert "  takes q: joint positions" in run(capsys, "functions gravity")[0]
+    assert "did you mean 'gravity'" in run(capsys, "functions gravit", code=2)[1]
+
+
+def test_help_of_commands_is_short_where_functions_are_named(capsys: Capture) -> None:
+    for name in ("gen", "verify", "bench", "package", "flops"):
+        text, _ = run(capsys, f"{name} --help")
+        assert '"robodyn functions" lists them' in " ".join(text.split())
+        assert "coriolis_matrix" not in text
 
 
 def test_robots_as_names_and_json_agree(capsys: Capture) -> None:
