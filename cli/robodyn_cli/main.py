@@ -11,7 +11,7 @@ import importlib
 import os
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import click
 
@@ -78,7 +78,7 @@ def module_of(name: str) -> str:
 
 #: The variable in which a shell says what it asks for, as in ``templates/completion``.
 COMPLETE: Final = "_ROBODYN_COMPLETE"
-HELP: Final = {"help_option_names": ["-h", "--help"]}
+HELP: Final[dict[str, Any]] = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
 
 class LazyGroup(click.Group):

@@ -96,7 +96,7 @@ def test_every_command_shown_has_the_options_that_it_is_shown_with() -> None:
         assert name in COMMANDS, where
         command = cli.get_command(click.Context(cli), name)
         assert command is not None
-        context = click.Context(command, help_option_names=HELP["help_option_names"])
+        context = click.Context(command, **HELP)
         try:
             command.make_parser(context).parse_args(list(words))
         except click.UsageError as error:

@@ -15,11 +15,12 @@ import numpy as np
 from robodyn.arrays import Floats, Mask
 from robodyn.diagnose.result import Estimate, Finding
 from robodyn.diagnose.select.limits import (
-    CONTACT_CONFIDENCE,
     CONTACT_EDGE,
     CONTACT_LOUD,
     CONTACT_NARROW,
+    CONTACT_ODDS,
     CONTACT_WIDE,
+    ODDS,
 )
 from robodyn.effects.rigid import CONTACT
 from robodyn.gate.gate import Gate
@@ -112,6 +113,14 @@ def _errors(one: Contact) -> Floats:
     return np.asarray(np.hypot(one.stderr, share * one.force))
 
 
+def _confidence(one: Contact) -> float:
+    """The share of right ones among contacts whose force is so many of its standard errors."""
+    first, by_size = CONTACT_ODDS
+    force, error = (float(np.linalg.norm(x)) for x in (one.force, one.stderr))
+    odds = first + by_size * math.log(max(force, 1e-12) / max(error, 1e-12))
+    return round(ODDS[-1] / (1 + math.exp(-odds)), 2)
+
+
 def _finding(one: Contact, log: str) -> Finding:
     units = {parameter.name: parameter.unit for parameter in CONTACT.parameters}
     values: dict[str, tuple[float | str, float | None]] = {
@@ -129,4 +138,4 @@ def _finding(one: Contact, log: str) -> Finding:
     where = f"link {one.link}, {state}, {one.start:.2f} to {one.end:.2f} s, {_direction(one)}"
     where += f": {CONTACT.signature}"
     gain = 100.0 * one.explained
-    return Finding(CONTACT.id, None, parameters, CONTACT_CONFIDENCE, (), where, None, gain, math.inf)
+    return Finding(CONTACT.id, None, parameters, _confidence(one), (), where, None, gain, math.inf)
