@@ -114,9 +114,9 @@ def accounts(data: Any) -> list[dict[str, Any]]:
 def test_the_calls_are_those_of_all_commands_that_take_a_robot() -> None:
     context = click.Context(cli)
     commands = {name: cli.get_command(context, name) for name in COMMANDS}
-    assert list(CALLS) == [
+    assert set(CALLS) == {
         name for name, each in commands.items() if each and any(p.type is ROBOTS for p in each.params)
-    ]
+    }
 
 
 @pytest.mark.parametrize(

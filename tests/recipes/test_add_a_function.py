@@ -112,18 +112,18 @@ def test_the_kernels_give_the_product(copy: Copy) -> None:
 
 
 def test_the_commands_know_it(copy: Copy) -> None:
-    usual, written, flops, help_, unknown, unfit, plan, threads = answers(
+    usual, written, flops, functions, unknown, unfit, plan, threads = answers(
         copy,
         "gen puma560_3dof -o usual",
         "gen puma560_3dof --functions gravity,accelerating_power --batch -o written --json",
         "flops stanford --functions accelerating_power --json",
-        "gen --help",
+        "functions",
         "flops puma560 --functions accelerating",
         "gen puma560 --functions accelerating_power --prune 1%",
         "plan puma560_3dof --functions accelerating_power --deadline 1ms --target x86-64",
         "schedule puma560_3dof -p 2 --cut 3 --functions accelerating_power -o threads",
     )
-    assert [a["code"] for a in (usual, written, flops, help_, plan, threads)] == [0] * 6, written
+    assert [a["code"] for a in (usual, written, flops, functions, plan, threads)] == [0] * 6, written
     assert "accelerating" not in (copy.work / "usual" / "puma560_3dof.h").read_text()
     header = (copy.work / "written" / "puma560_3dof.h").read_text()
     assert "/* power that the accelerations take\n" in header
@@ -136,8 +136,8 @@ def test_the_commands_know_it(copy: Copy) -> None:
     counted = json.loads(str(flops["out"]))
     assert (counted["function"], counted["thesis"]) == ("accelerating_power", None)
     assert counted["total"] == counted["mul"] + counted["add"] > 50
-    listed = " ".join(str(help_["out"]).split())
-    assert "accelerating_power (power that the accelerations take; on request)" in listed
+    listed = " ".join(str(functions["out"]).split())
+    assert "accelerating_power: power that the accelerations take (on request)" in listed
     assert unknown["code"] == unfit["code"] == 2
     assert "did you mean 'accelerating_power'?" in str(unknown["err"])
     assert "accelerating_power cannot be pruned; expected one of inverse_dynamics, gravity, bias" in str(
