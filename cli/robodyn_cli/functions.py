@@ -13,8 +13,8 @@ from robodyn_cli.output import WIDTH, as_json, echo_json
 def command(name: str | None) -> None:
     """List the functions that kernels may have, or describe one of them.
 
-    Those on request are written where --functions names them. Which of them an arm has depends on its joints:
-    "robodyn gen ROBOT" says which it has not, and why.
+    Those on request are written where --functions names them. Which of them an arm has, and which of their
+    results, depends on its joints: "robodyn gen ROBOT" says which it has not, and why.
     """
     import textwrap
 

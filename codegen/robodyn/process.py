@@ -70,7 +70,7 @@ class Held:
             raise KeyboardInterrupt
 
     @property
-    def asked(self) -> bool:
+    def has_signal(self) -> bool:
         """Whether a signal waits for the end of the context."""
         return self.interrupted or bool(_State.received and _State.quiet is None)
 

@@ -152,7 +152,7 @@ def test_an_interrupt_of_a_program_of_somebody_else_waits_too() -> None:
         "-c",
         "import os, signal\nfrom robodyn.process import Held\n"
         "try:\n    with Held() as held:\n        os.kill(os.getpid(), signal.SIGINT)\n"
-        "        print('whole', held.asked)\n    print('never')\n"
+        "        print('whole', held.has_signal)\n    print('never')\n"
         "except KeyboardInterrupt:\n"
         "    print(signal.getsignal(signal.SIGINT) is signal.default_int_handler)\n",
     )

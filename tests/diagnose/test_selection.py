@@ -82,11 +82,19 @@ def test_torques_that_are_read_late_are_no_error_of_reading_within_a_sample() ->
 
 
 def test_torques_that_are_all_too_large_are_one_name_and_not_one_a_number() -> None:
-    made = hidden_log("puma560_3dof", [], seed=4, duration=6.0, friction=True, validation=False)
-    found = diagnose(made.given, [replace(made.train, tau=1.25 * made.train.tau)])
-    assert claims(found) == {("torque_gain", None)}
-    (gain,) = (f.parameters["gain"] for f in found.findings)
+    hidden = hidden_log("puma560_3dof", [], seed=4, duration=6.0, friction=True, validation=False)
+    diagnosis = diagnose(hidden.given, [replace(hidden.train, tau=1.25 * hidden.train.tau)])
+    assert claims(diagnosis) == {("torque_gain", None)}
+    (gain,) = (f.parameters["gain"] for f in diagnosis.findings)
     assert float(gain.value) == pytest.approx(0.25, rel=0.02)
+
+
+def test_the_torque_scale_of_an_arm_of_one_joint_is_no_rival_of_itself() -> None:
+    robot = read(PENDULUM.replace("zz: 0.5}", "zz: 0.5}, friction: {coulomb: 2, viscous: 1}"))
+    log = logged(robot, lambda q, qd, qdd: 2 * np.sign(qd) + qd, noise=0.02)
+    (finding,) = diagnose(robot, [replace(log, tau=1.25 * log.tau)]).findings
+    assert (finding.effect, finding.joint) == ("torque_gain", 1)
+    assert finding.confidence > 0.9
 
 
 def test_one_cause_is_likelier_than_two_that_are_the_same_together() -> None:
@@ -94,9 +102,9 @@ def test_one_cause_is_likelier_than_two_that_are_the_same_together() -> None:
     (trial,) = (
         one for one in trials("near", ("random",), range(47001, 47002)) if one.effect == "asymmetric_friction"
     )
-    made = trial.make()
-    found = diagnose(made.given, [made.train])
-    assert claims(found) == {("asymmetric_friction", 2), ("viscous_friction", 2)}
+    hidden = trial.make()
+    diagnosis = diagnose(hidden.given, [hidden.train])
+    assert claims(diagnosis) == {("asymmetric_friction", 2), ("viscous_friction", 2)}
 
 
 def stopping(robot: Robot, level: float, hold: float, seed: int = 1) -> Log:

@@ -42,7 +42,9 @@ def test_an_arm_that_hardly_moves_in_a_direction_has_a_program_and_says_so() -> 
 @pytest.mark.parametrize("shape", ["slide_across_place", "slides", "two_turns", "scara_place", "scara"])
 def test_so_has_an_arm_of_few_joints(shape: str) -> None:
     robot = nearly(shape, 0)
-    proof.prove(robot, FUNCTION, build(robot, FUNCTION, Choice()))
+    program = build(robot, FUNCTION, Choice())
+    proof.prove(robot, FUNCTION, program)
+    assert program.outputs
 
 
 def test_a_program_that_reaches_nothing_is_refused_with_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -219,6 +219,7 @@ def test_its_sources_compile_without_a_warning(name: str, units: Units, tmp_path
     for k, source in enumerate(sources):
         path = unit.folder / "sources" / source.attrib["name"]
         run(require_tool("cc"), *options, prefix, "-c", path, "-o", f"{k}.o", cwd=tmp_path)
+        assert (tmp_path / f"{k}.o").stat().st_size > 0
 
 
 @pytest.mark.parametrize(

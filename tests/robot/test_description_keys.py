@@ -277,4 +277,5 @@ def test_izz_alone_is_enough_for_a_link_on_a_fixed_axis() -> None:
 
 def test_doubts_are_python_warnings_unless_taken() -> None:
     with pytest.warns(DoubtfulRobot, match=r"<text>:2:34: link 1: alpha = 90 rad"):
-        read_text("name: arm\nlinks: [{joint: revolute, alpha: 90}]")
+        robot = read_text("name: arm\nlinks: [{joint: revolute, alpha: 90}]")
+    assert robot.n == 1

@@ -262,7 +262,8 @@ def test_an_inertial_error_is_added_to_its_link() -> None:
 
 def test_an_error_that_no_body_has_is_doubted_at_the_link() -> None:
     with pytest.warns(DoubtfulRobot, match=r"<text>:3:5: link 1: inertia is not physical"):
-        arm_of("{effect: inertial_error, delta_xx: -1}")
+        robot = arm_of("{effect: inertial_error, delta_xx: -1}")
+    assert robot.links[0].inertia.xx == -1
 
 
 def test_base_tilt_turns_gravity_about_x_and_then_about_y() -> None:

@@ -87,14 +87,17 @@ class Scheduler:
                 while len(pieces.under_way) < AHEAD * max(self.count, 1) and (piece := pieces.next()):
                     if piece.attempts == ATTEMPTS:
                         yield piece.key, Failed(_LOST)
-                    elif not self._submit(function, piece, pieces):
-                        pieces.again.append(piece)
+                        continue
+                    try:
+                        self._submit(function, piece, pieces)
+                    except (OSError, RuntimeError):  # the connection is just being lost
                         self._reach()
+                        self._submit(function, piece, pieces)
                 if not pieces.under_way:
                     return
-                ended = self._next(pieces)
-                if ended is not None:
-                    yield ended
+                result = self._next(pieces)
+                if result is not None:
+                    yield result
                 if self._client.status != "running":
                     self._reach()
         finally:
@@ -105,17 +108,13 @@ class Scheduler:
     # Where Dask's futures begin and end a Ctrl-C waits: an exception there leaves pieces of them, which say
     # so in a traceback that nobody can catch, or is lost.
 
-    def _submit(self, function: Callable[..., Any], piece: _Piece, pieces: _Pieces) -> bool:
-        """Have the scheduler hand ``piece`` to a worker; False: the connection is just being lost."""
+    def _submit(self, function: Callable[..., Any], piece: _Piece, pieces: _Pieces) -> None:
+        """Have the scheduler hand ``piece`` to a worker."""
         with Held():
-            try:
-                future = self._client.submit(work, own_key(), function, piece.arguments, pure=False)
-            except (OSError, RuntimeError):
-                return False
+            future = self._client.submit(work, own_key(), function, piece.arguments, pure=False)
             pieces.under_way[future.key] = future, replace(piece, attempts=piece.attempts + 1)
             future.add_done_callback(lambda future: pieces.ended.put(future.key))
             del future
-        return True
 
     def _next(self, pieces: _Pieces) -> tuple[Any, Done | Failed] | None:
         """The key of a piece that has ended and what it has come to; None: of none within
@@ -153,7 +152,7 @@ class Scheduler:
         value = self._client.gather(future, asynchronous=True)
         fetched = asyncio.run_coroutine_threadsafe(value, self._client.loop.asyncio_loop)
         end = monotonic() + RECONNECT
-        while not fetched.done() and not held.asked and monotonic() < end:
+        while not fetched.done() and not held.has_signal and monotonic() < end:
             wait([fetched], POLL)
         try:
             if fetched.done():

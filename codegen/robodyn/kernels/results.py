@@ -20,7 +20,7 @@ CONVERTED: Final[Mapping[str, Callable[[Array], Array]]] = {
 
 
 class _Rows:
-    """Rows that are all of a pose, of flags that may be bools or, in arrays of the caller's, numbers."""
+    """What all branches of a pose share. Flags are bools or, in arrays that the caller gave, numbers."""
 
     __slots__ = ()
     solutions: Array

@@ -117,8 +117,8 @@ def _confidence(one: Contact) -> float:
     """The share of right ones among contacts whose force is so many of its standard errors."""
     first, by_size = CONTACT_ODDS
     force, error = (float(np.linalg.norm(x)) for x in (one.force, one.stderr))
-    odds = first + by_size * math.log(max(force, 1e-12) / max(error, 1e-12))
-    return round(ODDS[-1] / (1 + math.exp(-odds)), 2)
+    log_odds = first + by_size * math.log(max(force, 1e-12) / max(error, 1e-12))
+    return round(ODDS[-1] / (1 + math.exp(-log_odds)), 2)
 
 
 def _finding(one: Contact, log: str) -> Finding:

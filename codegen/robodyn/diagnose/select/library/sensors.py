@@ -58,6 +58,8 @@ def all_channels(c: Context, effect: Effect, shown: Shown) -> Iterator[Candidate
     assert channel is not None
     assert shown.of_all is not None
     is_gain = channel.acts == "gain"
+    if is_gain and c.n == 1:  # it is that of the joint, and would be its own rival
+        return
     column = total if is_gain else -np.gradient(s.filtered(total), s.period, axis=0)
     yield Candidate(
         effect.id, None, tuple(range(c.n)), column[:, :, None], (0,) if is_gain else (1,),
